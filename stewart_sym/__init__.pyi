@@ -70,11 +70,11 @@ from .kinematics.inverse_kinematics import wrench_matrix as wrench_matrix
 from .kinematics.inverse_kinematics import wrench_matrix_rate as wrench_matrix_rate
 from .kinematics.jacobian import inverse_jacobian as inverse_jacobian
 from .kinematics.jacobian import jacobian as jacobian
+from .kinematics.motor_angles import MotorAnglesResult as MotorAnglesResult
+from .kinematics.motor_angles import motor_angles as motor_angles
+from .kinematics.motor_angles import pose_from_motor_angles as pose_from_motor_angles
 from .kinematics.mounting_side import AssemblyModeWarning as AssemblyModeWarning
 from .kinematics.mounting_side import up_direction as up_direction
-from .kinematics.offset_legs import MotorAnglesResult as MotorAnglesResult
-from .kinematics.offset_legs import motor_angles as motor_angles
-from .kinematics.offset_legs import pose_from_motor_angles as pose_from_motor_angles
 from .kinematics.pose_certificate import PoseCertificate as PoseCertificate
 from .kinematics.pose_certificate import certify_pose as certify_pose
 from .kinematics.trajectory_writer import write_trajectory as write_trajectory

@@ -20,7 +20,8 @@ os.environ.update({f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLA
 from command_line import Fails, Run, fails_in_one_line, told
 from sweeps import FULL
 
-from stewart_sym.backend import calls, native
+from stewart_sym.backend import native
+from stewart_sym.calls import c_kernel
 
 # Derivations make much that stays: collecting garbage as often as usual takes a tenth of the time.
 gc.set_threshold(100_000, 50, 50)
@@ -85,7 +86,7 @@ def fails(capsys: pytest.CaptureFixture[str]) -> Fails:
     return functools.partial(fails_in_one_line, capsys)
 
 
-_LOADED = (calls.library, calls.function)
+_LOADED = (c_kernel.library, c_kernel.function)
 
 
 @pytest.fixture

@@ -9,16 +9,15 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.forces import ForceKernel
+from ..dynamics.forces import forces_of
 from ..dynamics.home_pose import home_pose
-from ..dynamics.inverse_dynamics import inverse_dynamics, with_compiler
 from ..io.arguments import finite_array, instance, number_in, truth
 from ..io.array_types import Array, Flags, Frozen
 from ..kinematics.clearance import PAIRS, distances_of, joined, neutral_directions
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse_kinematics import leg_vectors, length_rows
+from ..kinematics.inverse_kinematics import leg_axes, leg_vectors, length_rows
 from ..kinematics.mounting_side import up_direction
-from ..kinematics.offset_legs import inverse_jacobians, leg_axes
+from ..kinematics.pose_search import rates_per_twist
 from ..motion.motion import Motion
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, legs_text
@@ -124,7 +123,7 @@ class PoseExaminer(Frozen):
         instance(self.limits, PoseLimits, "limits")
         t = home_pose(self.robot).t
         R, t = np.eye(3)[None], t[None]
-        H = self._rows(R, t, *self._legs(R, t))[0]
+        H = self._rows(R, t, *leg_axes(self.robot, R, t))[0]
         self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
         need_clearance(self.robot, self.limits.min_clearance)
 
@@ -160,13 +159,13 @@ class PoseExaminer(Frozen):
 
     def conditions(self, R: Array, t: Array) -> Array:
         """Return the scaled condition numbers of H at poses R (n, 3, 3) and t (n, 3), shape (n,)."""
-        H = np.swapaxes(self._rows(R, t, *self._legs(R, t)), -1, -2)
+        H = np.swapaxes(self._rows(R, t, *leg_axes(self.robot, R, t)), -1, -2)
         return scaled_condition_number(H, 1.0)
 
     def _block(self, R: Array, t: Array) -> NDArray[np.int8]:
         robot, limits = self.robot, self.limits
         codes = np.zeros(len(t), dtype=np.int8)
-        q, S, L = self._legs(R, t)
+        q, S, L = leg_axes(robot, R, t)
         over = (q.mean(axis=-2) + t - robot.b.mean(axis=0)) @ self.up
         codes[over < 0.0] = SIDE
         left = np.flatnonzero(over >= 0.0)
@@ -199,14 +198,11 @@ class PoseExaminer(Frozen):
             np.all(cosines >= np.cos(np.minimum(self.robot.joint_angle_limit, np.pi)), axis=(-2, -1))
         )
 
-    def _legs(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
-        """Return q and vectors along the legs (m), (n, 6, 3), and lengths (m), (n, 6); NaN if unsolvable."""
-        return leg_vectors(self.robot, R, t) if self.robot.offsets is None else leg_axes(self.robot, R, t)
-
     def _rows(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Array:
         """Return H^T, shape (n, 6, 6), with moments divided by the characteristic length."""
-        rows = length_rows(q, S, L) if self.robot.offsets is None else inverse_jacobians(self.robot, R, t)
-        rows[..., 3:] /= characteristic_length(self.robot) or 1.0
+        robot = self.robot
+        rows = length_rows(q, S, L) if robot.offsets is None else rates_per_twist(robot, R, t, screws=True)
+        rows[..., 3:] /= characteristic_length(robot) or 1.0
         return rows
 
     def _conditions_kept(self, R: Array, t: Array, q: Array, S: Array, L: Array) -> Flags:
@@ -228,8 +224,5 @@ class PoseExaminer(Frozen):
         robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
         loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
         motion = Motion._unchecked(R, t, zero, zero, zero, zero, *loads)
-        F = with_compiler(
-            lambda: ForceKernel(robot).forces_and_status(motion)[0],
-            lambda: inverse_dynamics(robot, motion, backend="numpy", on_singular="nan").F,
-        )
+        F = forces_of(robot, "exact", "c")(motion)
         return np.asarray(np.all(np.abs(F) <= robot.force_limit, axis=-1))

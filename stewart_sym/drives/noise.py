@@ -8,7 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..dynamics.force_noise import CHUNK, between, displaced, forces_of, near_knots
+from ..dynamics.force_noise import CHUNK, between, displaced, near_knots
+from ..dynamics.forces import forces_of
 from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_between, neutral_directions

@@ -5,19 +5,21 @@ Arguments and results are arrays of the library; ``jit``, ``vmap``, and ``grad``
 
 from dataclasses import dataclass, field
 from importlib import import_module
-from types import ModuleType, SimpleNamespace
+from types import ModuleType
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from ..backend.kernel import OFFSETS, force_kernel, module, overflows, stored
+from ..backend.kernel import MOTION, OFFSETS, force_kernel, module, overflows, stored
+from ..generated.interface import OUTPUTS
 from ..io.arguments import instance, leading_shape
-from ..io.array_types import Frozen
+from ..io.array_types import Array, Frozen
+from ..motion.motion import Motion
 from ..results import OK
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_drive, need_masses, of_symbol
 from .inverse_dynamics import Formulation
-from .leg_formulas import Functions, leg_motions, motor_torques
+from .leg_formulas import Functions, LegMotion, leg_motions, motor_torques
 
 
 class ArrayForces(NamedTuple):
@@ -249,8 +251,8 @@ class ArrayKernel(Frozen):
         ValueError
             If an argument is not real or has another shape, or if the robot has joint offsets.
         """
-        motion, shape = self._motion({"R": R, "t": t})
-        return stacked(self.xp, [leg.L for leg in leg_motions(self._functions, self.robot, motion)], shape)
+        motion, _, shape = self._motion({"R": R, "t": t})
+        return stacked(self.xp, [leg.L for leg in self._legs(motion)], shape)
 
     def rates(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> Any:
         """Compute the leg rates, (5).
@@ -274,9 +276,8 @@ class ArrayKernel(Frozen):
         ValueError
             If an argument is not real or has another shape, or if the robot has joint offsets.
         """
-        motion, shape = self._motion({"R": R, "t": t, "omega": omega, "v": v})
-        legs = leg_motions(self._functions, self.robot, motion)
-        return stacked(self.xp, [leg.L_dot for leg in legs], shape)
+        motion, _, shape = self._motion({"R": R, "t": t, "omega": omega, "v": v})
+        return stacked(self.xp, [leg.L_dot for leg in self._legs(motion)], shape)
 
     def torques(
         self,
@@ -308,7 +309,8 @@ class ArrayKernel(Frozen):
         """
         need_drive(self.robot)
         given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
-        motion, _ = self._motion(given)
+        need_no_offsets(self.robot)
+        motion, _, _ = self._motion(given)
         F, status = self.forces(**given, F_ext=F_ext, M_ext=M_ext)
         forces = [F[..., i] for i in range(6)]
         torque = motor_torques(self._functions, self.robot, motion, forces)
@@ -318,34 +320,44 @@ class ArrayKernel(Frozen):
     def _functions(self) -> Functions:
         return Functions(self._on.sqrt, self._on.size, self.xp.exp, self._on.where)
 
-    def _motion(self, fields: dict[str, Any]) -> tuple[SimpleNamespace, tuple[int, ...]]:
-        """Return the components of a motion, zeros for omitted ones, and its leading shape."""
+    def _motion(self, fields: dict[str, Any]) -> tuple[Any, list[Any], tuple[int, ...]]:
+        """Return a motion of the generated module, forces if given, and the leading shape."""
+        given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
+        shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
+        F = [given.pop("F")] if "F" in given else []
+        return self._source.motion_of(self._on, **given), F, leading_shape(shapes)
+
+    def _legs(self, motion: Any) -> list[LegMotion]:
         need_no_offsets(self.robot)
-        zero = {name: np.zeros(3) for name in ("omega", "v", "alpha", "a")}
-        given = zero | {name: value for name, value in fields.items() if value is not None}
-        arrays = {name: self._array(name, value) for name, value in given.items()}
-        shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in arrays.items()}
-        R = arrays.pop("R")
-        parts = {name: [each[..., i] for i in range(3)] for name, each in arrays.items()}
-        rows = [R[..., i, j] for i in range(3) for j in range(3)]
-        return SimpleNamespace(R=rows, **parts), leading_shape(shapes)
+        return leg_motions(self._functions, self.robot, motion)
+
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of an output of the closed form, as ``CKernel.run``."""
+        fields = {name: getattr(motion, name) for name in MOTION} | dict(zip("F", given, strict=False))
+        result, shape = self._evaluated(output, fields)
+        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
+        if "alpha" in found:
+            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
+        return {name: found[name] for name in OUTPUTS[output]} | {"status": found["status"].astype(np.int32)}
 
     def _run(self, function: str, kind: type[Result], fields: dict[str, Any]) -> Result:
         need_masses(self.robot)
+        found, shape = self._evaluated(function, fields)
+        return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
+
+    def _evaluated(self, function: str, fields: dict[str, Any]) -> tuple[Any, tuple[int, ...]]:
+        """Return the results of a function of the generated module, and their leading shape."""
         if not hasattr(self._source, function):
             raise ValueError(
                 f'{function}: expected formulation "exact" and universal base joints without offsets, '
                 f'got "{self.formulation}" and {self.robot.base_joint} ones'
                 f"{'' if self.robot.offsets is None else ' with offsets'}"
             )
-        given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
-        shapes = {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
-        shape, forces = leading_shape(shapes), [given.pop("F")] if "F" in given else []
+        motion, forces, shape = self._motion(fields)
         more = [[F[..., i] for i in range(6)] for F in forces]
-        motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)
-        return kind(*(stacked(self.xp, getattr(found, name), shape) for name in kind._fields))
+        return found, shape
 
     def _array(self, name: str, value: Any) -> Any:
         """Convert an argument to an array of real numbers of the library, and check its shape."""

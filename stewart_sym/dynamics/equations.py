@@ -15,6 +15,7 @@ from ..io.array_types import Array
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
 from ..reference import newton_euler
+from ..reference.equations_of_motion import by_linearity
 from ..results import (
     OK,
     ON_FAULT,
@@ -27,8 +28,7 @@ from ..results import (
 )
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .closed_form import ClosedForm
-from .forward_dynamics import TERMS, closed_form_of, terms_from_forces
+from .forward_dynamics import ClosedForm, actuator_wrench, closed_form_of
 from .forward_dynamics import ForwardDynamics as ForwardDynamics
 
 
@@ -85,26 +85,22 @@ def equations_of_motion(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> terms = ss.equations_of_motion(robot, motion)
     >>> terms.M.diagonal().round(2).tolist()
-    [4.43, 4.43, 3.56, 0.02, 0.02, 0.04]
+    [49.28, 54.99, 50.44, 0.66, 0.7, 1.02]
     >>> terms.g.round(2).tolist()
-    [-0.47, -0.14, 35.09, 0.06, 0.03, 0.0]
+    [-9.79, 21.84, 479.06, 15.94, -24.89, 5.27]
     """
     _need(robot, motion, on_singular)
     closed = closed_form_of(robot, formulation, backend)
     if closed is None:
-        found = terms_from_forces(robot, motion, formulation, backend)
+        found = by_linearity(actuator_wrench(robot, formulation, backend), robot, motion)
     else:
         terms = closed.run("equations", motion)
-        found = EquationsOfMotionResult(**{name: terms[name] for name in TERMS}, status=terms["status"])
+        del terms["H"], terms["H_dot"]
+        found = EquationsOfMotionResult(**terms)
     inverse_dynamics.report_faults(found.status, robot, motion, on_singular)
     return found
 
@@ -153,18 +149,11 @@ def force_derivatives(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> derivatives = ss.force_derivatives(robot, motion)
     >>> derivatives.by_acceleration[0].round(2).tolist()
-    [6.84, -7.68, 0.42, -0.19, -0.23, -0.51]
+    [-104.98, -17.45, 36.34, 5.21, 4.43, 2.06]
     """
     inverse_dynamics.need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
@@ -226,20 +215,13 @@ def linearize(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> system = ss.linearize(robot, motion, F=ss.inverse_dynamics(robot, motion).F)
     >>> system.A.shape, system.B.shape
     ((12, 12), (12, 6))
     >>> system.B[8].round(3).tolist()
-    [0.271, 0.276, 0.287, 0.285, 0.272, 0.27]
+    [-0.008, -0.004, 0.011, 0.02, 0.052, 0.023]
     """
     _need(robot, motion, on_singular)
     closed = _with_closed_form(robot, backend, on_singular)
@@ -305,15 +287,8 @@ def forward_dynamics(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> F = ss.inverse_dynamics(robot, motion).F
     >>> a, alpha = ss.forward_dynamics(robot, motion, F=F)
     >>> bool(abs(a - motion.a).max() < 1e-9)
@@ -322,7 +297,7 @@ def forward_dynamics(
     The acceleration without actuator forces:
 
     >>> ss.forward_dynamics(robot, motion, F=[0.0] * 6).a.round(2).tolist()
-    [0.04, 0.01, -9.84]
+    [0.67, -0.35, -9.31]
     """
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)
@@ -376,16 +351,11 @@ def joint_space_inertia(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> inertia = ss.joint_space_inertia(robot, motion)
     >>> inertia.diagonal().round(2).tolist()
-    [30.79, 31.7, 31.58, 31.87, 32.21, 30.99]
+    [298.06, 357.33, 784.72, 190.62, 309.07, 888.89]
     """
     _need(robot, motion, on_singular)
     closed = closed_form_of(robot, formulation, backend)
@@ -393,7 +363,7 @@ def joint_space_inertia(
         direct = closed.run("joint_inertia", motion)
         inverse_dynamics.report_faults(direct["status"], robot, motion, on_singular)
         return np.asarray(direct["inertia"])
-    found = terms_from_forces(robot, motion, formulation, backend)
+    found = by_linearity(actuator_wrench(robot, formulation, backend), robot, motion)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
     regular = ~newton_euler.is_singular(robot, H)

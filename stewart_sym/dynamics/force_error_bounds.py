@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.calls import function, prepared_model, results_of
-from ..backend.kernel import robot_kernel
+from ..calls.c_kernel import CKernel
 from ..io.arguments import option
 from ..motion.motion import Motion
 from ..results import ON_FAULT, OnFault
@@ -96,28 +95,19 @@ def force_error_bounds(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> result = ss.force_error_bounds(robot, motion)
     >>> bool((result.bound < 1e-10).all())
     True
     >>> round(float(result.rcond), 3)
-    0.043
+    0.024
     """
     option(precision, ("double", "float"), "precision")
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
     need_motion(robot, motion)
-    name = robot_kernel(robot, "exact")
-    prepare = function(name, "bounds_prepare", "_bounds", precision)
-    model = prepared_model(prepare, robot, f"{name}_bounds", precision)
-    found = ForceErrorBoundsResult(**results_of(name, "_bounds", "forces_bounded", model, motion))
+    kernel = CKernel(robot, "exact", "_bounds", precision)
+    found = ForceErrorBoundsResult(**kernel.run("forces_bounded", motion))
     report_faults(found.status, robot, motion, on_singular)
     return found

@@ -19,8 +19,8 @@ from ..motion.motion import Motion
 from ..motion.rotation import motion_about_axes, orthonormal, rotation_from_vector
 from ..motion.trajectory import Trajectory, Uncertainty
 from ..robot.robot import Robot
-from .forces import ForceKernel
-from .inverse_dynamics import Backend, Formulation, inverse_dynamics, with_compiler
+from .forces import forces_of
+from .inverse_dynamics import Backend, Formulation
 
 CHUNK = 16_384
 """Samples that are processed together; the limit bounds the memory for logs of any length."""
@@ -133,22 +133,6 @@ def between(time: Array, known: Array, deviations: Array) -> Array:
     with np.errstate(invalid="ignore"):
         found = np.sqrt((1.0 - share) * deviations[i] ** 2 + share * deviations[i + 1] ** 2)
     return np.where(np.isfinite(found), found, np.inf)
-
-
-def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
-    """Return a function that computes forces (n, 6), NaN for unsolvable poses, by the fastest kernel."""
-
-    def full(motion: Motion) -> Array:
-        return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
-
-    if (
-        not isinstance(backend, str)
-        or backend != "c"
-        or (robot.offsets is not None and robot.offsets.has_spinning_parts)
-    ):
-        return full  # Checks the options and supports all robots, in contrast to the force kernels.
-    kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
-    return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 
 
 def _factors(noise: Uncertainty, time: Array) -> Array:

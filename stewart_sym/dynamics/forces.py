@@ -1,48 +1,38 @@
 """Actuator forces by C kernels whose constants are prepared once per robot, with threads."""
 
 import ctypes
-import itertools
-import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, partial
+from functools import cached_property
 from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.calls import address, function, prepared_model
 from ..backend.kernel import FORMULATIONS, MOTION, force_kernel_name
-from ..io.arguments import instance, option, whole_number
+from ..calls.c_kernel import OnePose, address, function, pointers, prepared_model, results_of, run_batch
+from ..calls.threads import in_parts
+from ..io.arguments import instance, option
 from ..io.array_types import Frozen
 from ..io.error_policy import warn
 from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .array_layouts import WIDTHS, as_columns, need_apart, need_rows, need_status, stride_of
-from .inverse_dynamics import Formulation, damped_terms, need_motion, report_faults
+from .array_layouts import in_columns, need_layout
+from .inverse_dynamics import (
+    Backend,
+    Formulation,
+    damped_terms,
+    inverse_dynamics,
+    need_motion,
+    report_faults,
+    with_compiler,
+)
 from .neglected_physics import neglected_physics
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
-
-LANES = 8
-MIN_POSES_PER_THREAD = 4_000
-"""Smallest number of poses per thread.
-
-Waking a thread takes 0.12 ms (2 virtual cores), as long as 1,200 poses.
-"""
-
-CONVERTED = 32_768
-"""Number of poses converted at a time, if arrays have another type or layout than the C code requires."""
-
-CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-"""Number of cores that this process may use."""
-
-_WIDTHS = WIDTHS[:-1]
-_NUMBERS = sum(_WIDTHS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,17 +63,10 @@ class ForceKernel(Frozen):
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> kernel = ss.ForceKernel(ss.robots.load("unal"))
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> kernel = ss.ForceKernel(ss.robots.load("dasgupta1998"))
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> kernel.forces(motion).round(2).tolist()
-    [4.0, 6.33, 11.19, 3.52, 3.79, 10.22]
+    [373.49, -1058.71, 1347.93, -569.37, -77.71, 382.36]
     """
 
     robot: Robot
@@ -162,10 +145,11 @@ class ForceKernel(Frozen):
             if on_singular != "raise":
                 raise ValueError("on_singular: does not apply with out, whose statuses name unsolvable poses")
             arrays = [getattr(motion, name) for name in MOTION] if isinstance(motion, Motion) else motion
-            need_rows(arrays, *out, self.dtype)
-            need_apart(arrays, *out)
-            self._shared(out[1].size, threads, partial(self._run, arrays, *out))
-            return out[0]
+            F, status = out
+            need_layout(arrays, F, status, self.dtype)
+            code = self.c_function("forces_batch")
+            run_batch(code, self.model, arrays, [F], status, apart=True, threads=threads)
+            return F
         instance(motion, Motion, "motion")
         motion = cast("Motion", motion)
         option(on_singular, ON_SINGULAR, "on_singular")
@@ -179,30 +163,7 @@ class ForceKernel(Frozen):
         report_faults(status, self.robot, motion, on_singular)
         return F
 
-    def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
-        """Compute the status of every pose of a motion.
-
-        Parameters
-        ----------
-        motion : Motion, shape (...)
-            Poses, velocities, and accelerations, as for ``forces``.
-        threads : int, optional
-            Largest number of threads, as for ``forces``.
-
-        Returns
-        -------
-        ndarray of int, shape (...)
-            Codes of ``results.STATUS_TEXT``.
-
-        Raises
-        ------
-        ValueError
-            If the motion has no accelerations.
-        """
-        need_motion(self.robot, motion)
-        return self.forces_and_status(motion, threads)[1]
-
-    def single_pose(self) -> "OnePose":
+    def single_pose(self) -> OnePose:
         """Create buffers for single poses, for loops in which microseconds matter.
 
         Returns
@@ -210,7 +171,7 @@ class ForceKernel(Frozen):
         OnePose
             Buffers of type ``dtype``; inputs are 0 and F is NaN.
         """
-        return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
+        return OnePose(self.c_function("forces"), self.model, np.full(6, np.nan, dtype=self.dtype))
 
     def forces_soa(
         self,
@@ -264,53 +225,21 @@ class ForceKernel(Frozen):
             If an array has another shape; the message names the array. With ``out``, also if an array has
             another type or layout, or if an output shares memory with another array.
         """
-        given = (R, t, omega, v, alpha, a, F_ext, M_ext)
-        if out is not None:
-            self._columns_into(cast("tuple[Array | None, ...]", given), *out, threads)
-            return out
-        arrays = as_columns(given, self.dtype)
-        first = next(array for array in arrays if array is not None)
-        count = first.shape[-1]
-        stride = max(count, first.strides[0] // first.itemsize)
-        F = np.full((6, stride), np.nan, dtype=self.dtype)[:, :count]
-        status = np.zeros(count, dtype=np.int32)
-        self._columns_into(arrays, F, status, threads)
+        arrays: Sequence[Array | None] = (R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[assignment]
+        if out is None:
+            arrays, count = in_columns(arrays, self.dtype)
+            out = np.full((6, count), np.nan, dtype=self.dtype), np.zeros(count, dtype=np.int32)
+        F, status = out
+        stride = need_layout(arrays, F, status, self.dtype, columns=True)
+        code = self.c_function("forces_columns")
+
+        def run(start: int, poses: int) -> None:
+            sizes = ctypes.c_size_t(poses), ctypes.c_size_t(stride)
+            inputs = pointers(None if each is None else each[:, start:] for each in arrays)
+            code(address(self.model), *sizes, inputs, address(F[:, start:]), address(status[start:]))
+
+        in_parts(status.size, threads, run)
         return F, status
-
-    def _columns_into(
-        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int
-    ) -> None:
-        """Write forces, (6, n), and statuses, (n,), of arrays in columns into given arrays."""
-        need_status(status)
-        if isinstance(F, np.ndarray) and F.shape[:-1] == (6,) and status.shape != F.shape[-1:]:
-            raise ValueError(f"status: expected an array {F.shape[-1:]} for F {F.shape}, got {status.shape}")
-        count = status.size
-        stride = stride_of(arrays, F, count, self.dtype)
-        need_apart(arrays, F, status)
-        self._shared(count, threads, lambda start, n: self._run(arrays, F, status, start, n, stride))
-
-    def _shared(self, count: int, threads: int, run: Callable[[int, int], None]) -> None:
-        """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""
-        threads = min(
-            whole_number(threads, "threads", 1, "a whole number of at least 1"),
-            max(1, count // MIN_POSES_PER_THREAD),
-        )
-        if threads == 1:
-            if count > 0:
-                run(0, count)
-            return
-        parts = _parts(count, threads)
-        next_parts = itertools.count()
-
-        def work() -> None:
-            while (part := next(next_parts)) < len(parts):
-                run(*parts[part])
-
-        others = min(threads, len(parts), CORES) - 1
-        waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
-        work()
-        for other in waiting:
-            other.result()
 
     def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
         """Compute the forces and the status of every pose of a motion.
@@ -335,52 +264,14 @@ class ForceKernel(Frozen):
             If the motion has no accelerations.
         """
         need_motion(self.robot, motion)
-        F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
-        status = np.zeros(motion.shape, dtype=np.int32)
-        for part in self._parts_to_convert(motion):
-            arrays = [
-                None if array is None else np.ascontiguousarray(array[part], dtype=self.dtype)
-                for array in (getattr(motion, name) for name in MOTION)
-            ]
-            into = F[part], status[part]
-            need_rows(arrays, *into, self.dtype)
-            self._shared(into[1].size, threads, partial(self._run, arrays, *into))
+        code, shapes = self.c_function("forces_batch"), {"F": (6,)}
+        found = results_of(code, self.model, motion, shapes, apart=True, threads=threads)
+        F, status = found["F"], found["status"]
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
             # If a leg cannot reach its point, the kernel computes the square root of a negative number.
             of_legs = codes(self.robot, motion[lost])
             status[lost] = np.where((of_legs == UNREACHABLE).any(axis=-1), UNREACHABLE, NOT_FINITE)
         return F, status
-
-    def _parts_to_convert(self, motion: Motion) -> list[Any]:
-        """Return one index for all poses if no array needs conversion, else slices for small copies."""
-        arrays = [array for array in (getattr(motion, name) for name in MOTION) if array is not None]
-        ready = all(
-            array.dtype == self.dtype and array.flags.c_contiguous and array.flags.aligned for array in arrays
-        )
-        if ready or len(motion.shape) != 1:
-            return [...]
-        return [slice(start, start + CONVERTED) for start in range(0, motion.shape[0], CONVERTED)]
-
-    def _run(
-        self,
-        arrays: Sequence[Array | None],
-        F: Array,
-        status: NDArray[np.int32],
-        start: int,
-        count: int,
-        stride: int | None = None,
-    ) -> None:
-        """Run the kernel on some poses; ``stride`` is the column distance, None for consecutive poses."""
-        widths = WIDTHS if stride is None else [1] * len(WIDTHS)
-        places = [address(array, start * n) for array, n in zip((*arrays, F), widths, strict=True)]
-        counts = [count] if stride is None else [count, stride]
-        self.c_function("forces_batch" if stride is None else "forces_columns")(
-            address(self.model),
-            *map(ctypes.c_size_t, counts),
-            (ctypes.c_void_p * len(arrays))(*places[:-1]),
-            places[-1],
-            address(status, start),
-        )
 
     @cached_property
     def name(self) -> str:
@@ -403,58 +294,13 @@ class ForceKernel(Frozen):
         return function(self.name, name, "_forces", self.precision)
 
 
-@dataclass(frozen=True, eq=False)
-class OnePose:
-    """Buffers of one pose: set the inputs R, t, omega, ..., M_ext in place, call ``solve``, and read ``F``.
+def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
+    """Return a function that computes forces (n, 6), NaN for unsolvable poses, by the fastest kernel."""
 
-    The inputs are views of ``numbers``, (30,), with the order of ``stewart_motion``. ``solve`` returns the
-    status; F does not change if the status is not 0.
-    """
+    def full(motion: Motion) -> Array:
+        return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    kernel: ForceKernel
-    F: Array
-    numbers: Array
-
-    def __post_init__(self) -> None:
-        """Find the function and the addresses of the buffers, which exist as long as this object.
-
-        Raises ValueError if a buffer has another type, size, or layout.
-        """
-        for name, array, size in (("F", self.F, 6), ("numbers", self.numbers, _NUMBERS)):
-            dtype = np.dtype(self.kernel.dtype)
-            if array.dtype != dtype or array.shape != (size,) or not array.flags.carray:
-                raise ValueError(f"{name}: expected {size} writeable numbers of {dtype}")
-        addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
-        object.__setattr__(self, "_call", self.kernel.c_function("forces"))
-        object.__setattr__(self, "_addresses", addresses)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Copy and pickle with new buffers, and therefore new addresses."""
-        return OnePose, (self.kernel, self.F.copy(), self.numbers.copy())
-
-    def solve(self) -> int:
-        """Compute F from the current numbers; return the status."""
-        return int(self._call(*self._addresses))
-
-    def __getattr__(self, name: str) -> Any:
-        if name not in MOTION:
-            raise AttributeError(name)
-        index = list(MOTION).index(name)
-        start = sum(_WIDTHS[:index])
-        return self.numbers[start : start + _WIDTHS[index]].reshape(MOTION[name])
-
-
-def _parts(count: int, threads: int) -> list[tuple[int, int]]:
-    """Return the first pose and the number of poses of each part of a batch.
-
-    Each thread gets several parts, so that a slow core delays the result little.
-    """
-    pieces = max(threads, min(4 * threads, count // MIN_POSES_PER_THREAD))
-    poses = max(LANES, -(-count // (pieces * LANES)) * LANES)
-    return [(start, min(poses, count - start)) for start in range(0, count, poses)]
-
-
-@cache
-def _pool(threads: int, process: int) -> ThreadPoolExecutor:
-    """Return the waiting threads of a process, because starting threads takes longer than a small batch."""
-    return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
+    if backend != "c" or (robot.offsets is not None and robot.offsets.has_spinning_parts):
+        return full  # Checks the options and supports all robots, in contrast to the force kernels.
+    kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
+    return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]

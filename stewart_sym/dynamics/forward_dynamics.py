@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..backend.calls import Kernel
 from ..backend.kernel import FORMULATIONS
+from ..calls.c_kernel import CKernel
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
-from ..kinematics.inverse_kinematics import leg_vectors
+from ..kinematics.pose_search import rates_per_twist
 from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..reference import equations_of_motion as reference_equations
 from ..reference import newton_euler, offset_joints
-from ..reference.equations_of_motion import ActuatorWrench, by_linearity, inertia_and_bias
-from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK, EquationsOfMotionResult
+from ..reference.equations_of_motion import ActuatorWrench, inertia_and_bias
+from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
+from .arrays import ArrayKernel
 from .forward_from_inverse import ForwardFromInverse
 
-TERMS = ("M", "C", "g", "friction", "bias", "bias_and_friction")
-"""Terms of ``EquationsOfMotionResult``."""
+ClosedForm = CKernel | ArrayKernel
+"""Kernels of the closed form: equations of motion, forward dynamics, and derivatives."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +38,7 @@ class ForwardDynamics:
 
     def __post_init__(self) -> None:
         instance(self.robot, Robot, "robot")
-        wrench = _actuator_wrench(self.robot, self.formulation, self.backend)
+        wrench = actuator_wrench(self.robot, self.formulation, self.backend)
         object.__setattr__(self, "_wrench", wrench)
         object.__setattr__(self, "closed", closed_form_of(self.robot, self.formulation, self.backend))
 
@@ -54,34 +53,22 @@ class ForwardDynamics:
             return x[..., :3], x[..., 3:], found["status"]
         with np.errstate(all="ignore"):
             M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
-            rest = _wrench_of(self.robot, motion, F) - bias
+            H_T = rates_per_twist(self.robot, motion.R, motion.t, screws=True)
+            rest = np.einsum("...ji,...j->...i", H_T, F) + motion.external_wrench() - bias
             status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
             x, definite = solve_positive(M, rest)
-            if self.backend == "reference" and self.robot.offsets is None:
-                x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
             status = np.where((status == OK) & ~definite, MASS_MATRIX_INDEFINITE, status)
             status = _not_finite(status, np.isfinite(x).all(axis=-1))
             x = np.where((status == OK)[..., None], x, np.nan)
         return x[..., :3], x[..., 3:], status
-
-    def _at_50_digits(
-        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
-    ) -> tuple[Array, Flags]:
-        """Solve good poses at which M has lost digits with 50 digits; return x and definiteness of M."""
-        faults = inverse_dynamics.faults_of(self.formulation)
-        x, known = x.copy(), np.array(definite, dtype=np.bool_)
-        for i in map(tuple, np.argwhere(good & _digits_lost(self.robot, motion, M, faults))):
-            x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
-            known[i] = np.isfinite(x[i]).all()
-        return x, known
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
         """Return ``solve`` for loops over single states: (motion, F (6,)) -> [a; alpha] (6,), status.
 
         The returned function owns its buffers. Create one function per thread.
         """
-        if isinstance(self.closed, CClosedForm):
-            return self.closed.one_state()
+        if isinstance(self.closed, CKernel):
+            return _one_state(self.closed)
         by_forces: ForwardFromInverse | None = None
         if (
             self.backend == "c"
@@ -104,107 +91,34 @@ def _not_finite(status: Codes, finite: Flags | np.bool_) -> Codes:
     return np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
 
 
-_KEPT = 2.0**-5
-"""Limit below which digits are lost.
-
-It applies to the fraction of a diagonal element of M that remains after elimination, and to the sine of the
-angle between a leg and its fixed axis.
-"""
-
-
-def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> Flags:
-    """Return a mask (...) of poses at which double precision loses digits and the reference uses 50."""
-    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
-    return np.asarray(near | ~(digits_kept(M) > _KEPT))
-
-
-def terms_from_forces(
-    robot: Robot, motion: Motion, formulation: str, backend: str
-) -> EquationsOfMotionResult:
-    """Compute the terms from inverse dynamics; the reference uses 50 digits if doubles lose digits."""
-    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
-    if backend != "reference" or robot.offsets is not None:
-        return found
-    parts = {name: np.array(getattr(found, name)) for name in TERMS}
-    with np.errstate(all="ignore"):
-        lost = (found.status == OK) & _digits_lost(
-            robot, motion, found.M, inverse_dynamics.faults_of(formulation)
-        )
-    for i in map(tuple, np.argwhere(lost)):
-        for name, value in reference_equations.at_50_digits(
-            robot, motion[i], inverse_dynamics.faults_of(formulation)
-        ).items():
-            parts[name][i] = value
-    return EquationsOfMotionResult(**parts, status=found.status)
-
-
-def _at_rest(motion: Motion) -> Motion:
-    none = np.zeros_like(motion.t)
-    return Motion._unchecked(motion.R, motion.t, none, none, none, none)
-
-
-def digits_kept(M: Array) -> Array:
-    """Return the smallest fraction (...) of a diagonal element of M (..., n, n) after elimination."""
-    A, kept = M.copy(), np.full(M.shape[:-2], np.inf)
-    for k in range(M.shape[-1]):
-        pivot = A[..., k, k, None]
-        kept = np.fmin(kept, pivot[..., 0] / M[..., k, k])
-        A[..., k + 1 :, :] -= (A[..., k + 1 :, k] / pivot)[..., None] * A[..., k, None, :]
-    return np.asarray(kept)
-
-
 def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
-    """Solve M x = w by Cholesky's method; return x (..., n) and a mask (...) of positive definite M.
+    """Solve M x = w; return x (..., n) and a mask (...) of positive definite M.
 
     x is NaN if M is not positive definite.
     """
-    try:
-        G = np.linalg.cholesky(M)
-        definite = np.ones(M.shape[:-2], dtype=np.bool_)
-    except np.linalg.LinAlgError:
-        # NumPy rejects a whole batch for one bad matrix, so bad matrices are replaced by the unit matrix.
-        flat = np.array([_is_positive(matrix) for matrix in M.reshape(-1, *M.shape[-2:])], dtype=np.bool_)
-        definite = flat.reshape(M.shape[:-2])
-        G = np.linalg.cholesky(np.where(definite[..., None, None], M, np.eye(M.shape[-1])))
-    half = np.linalg.solve(G, w[..., None])
-    x = np.linalg.solve(np.swapaxes(G, -1, -2), half)[..., 0]
-    return np.where(definite[..., None], x, np.nan), definite
+    size = np.sqrt(np.diagonal(M, axis1=-2, axis2=-1))
+    scaled = M / (size[..., :, None] * size[..., None, :])
+    finite = np.isfinite(scaled).all(axis=(-2, -1))
+    unit = np.eye(M.shape[-1])
+    least = np.linalg.eigvalsh(np.where(finite[..., None, None], scaled, unit))[..., 0]
+    definite = np.asarray(finite & (least > 0.0))
+    x = np.linalg.solve(np.where(definite[..., None, None], scaled, unit), (w / size)[..., None])[..., 0]
+    return np.where(definite[..., None], x / size, np.nan), definite
 
 
-def _is_positive(matrix: Array) -> bool:
-    try:
-        np.linalg.cholesky(matrix)
-    except np.linalg.LinAlgError:
-        return False
-    return True
-
-
-def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
-    """Return H F + W_ext, shape (..., 6); NaN if a leg has length zero."""
-    if robot.offsets is not None:
-        H = offset_joints.terms(robot, _at_rest(motion))["H"]
-        return np.asarray(np.einsum("...ij,...j->...i", H, F) + motion.external_wrench())
-    q, S, L = leg_vectors(robot, motion.R, motion.t)
-    push = S * (F / L)[..., None]
-    actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
-    return np.asarray(actuators + motion.external_wrench())
-
-
-def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
+def actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
     """Return the function H F = H D - c for robots that differ from this one only in numbers."""
-    first = inverse_dynamics.prepared_kernel(robot, formulation, backend)
+    kernel = functools.lru_cache(4)(lambda each: inverse_dynamics.prepared_kernel(each, formulation, backend))
+    kernel(robot)
     if robot.offsets is not None:
         return offset_joints.actuator_wrench
     if backend == "reference":
         faults = inverse_dynamics.faults_of(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
-    kernels: dict[Robot, Kernel] = {robot: first}
 
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        if robot not in kernels:
-            kernels[robot] = inverse_dynamics.prepared_kernel(robot, formulation, backend)
-        found = kernels[robot].forces(motion)
-        return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
+        found = kernel(robot).run("inverse_dynamics", motion)
+        return np.einsum("...ij,...j->...i", found["H"], found["D"]) - found["c"], found["status"]
 
     return wrench
 
@@ -218,8 +132,21 @@ def closed_form_of(robot: Robot, formulation: str, backend: str) -> ClosedForm |
     if robot.offsets is not None:
         return None
     if backend == "numpy":
-        return NumpyClosedForm(robot)
+        return ArrayKernel(robot, np)
     found: ClosedForm = inverse_dynamics.with_compiler(
-        lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot)
+        lambda: CKernel(robot, "exact", "_motion"), lambda: ArrayKernel(robot, np)
     )
     return found
+
+
+def _one_state(closed: CKernel) -> Callable[[Motion, Array], tuple[Array, int]]:
+    x = np.empty(6)
+    pose = closed.single_pose("forward_dynamics", np.zeros(6), x)
+
+    def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+        pose.load(motion)
+        pose.F[:] = F
+        status = pose.solve()
+        return (x.copy() if status == OK else np.full(6, np.nan)), status
+
+    return solve

@@ -28,11 +28,9 @@ class ForwardFromInverse:
     def solve(self, motion: Motion, F: Array) -> Array | None:
         """Return [a; alpha], (6,), of a state under F (N), (6,); None near a singular pose."""
         moving, still = self._moving, self._still
-        for pose in (moving, still):
-            pose.R[:], pose.t[:] = motion.R, motion.t
-        moving.omega[:], moving.v[:] = motion.omega, motion.v
-        moving.F_ext[:] = 0.0 if motion.F_ext is None else motion.F_ext
-        moving.M_ext[:] = 0.0 if motion.M_ext is None else motion.M_ext
+        moving.load(motion)
+        moving.alpha[:], moving.a[:] = 0.0, 0.0
+        still.R[:], still.t[:] = motion.R, motion.t
         status = moving.solve()
         A = np.empty((6, 6))
         for i in range(6):

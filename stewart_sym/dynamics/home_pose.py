@@ -6,14 +6,11 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ..kinematics.inverse_kinematics import wrench_matrix
-from ..kinematics.mounting_side import Side, level_positions, platform_side, radius, up_direction, upright
-from ..kinematics.offset_legs import leg_lengths
+from ..kinematics.inverse_kinematics import leg_lengths, wrench_matrix
+from ..kinematics.mounting_side import Side, level_positions, platform_side, up_direction
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse_dynamics import inverse_dynamics
-
-__all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +45,7 @@ def home_pose(robot: Robot) -> HomePose:
         if robot.home_position is None
         else robot.home_position[None]
     )
-    L = level_lengths(robot, t)
+    L = leg_lengths(robot, np.eye(3), t)
     if robot.home_position is not None:
         rule = "from the robot file"
     elif np.all(np.isfinite(robot.length_limits)):
@@ -76,8 +73,3 @@ def home_pose(robot: Robot) -> HomePose:
         scaled_condition=float(scaled[best]),
         status=int(status[best]),
     )
-
-
-def level_lengths(robot: Robot, t: Array) -> Array:
-    """Return the leg lengths (m), (..., 6), of level poses at t (m), (..., 3)."""
-    return leg_lengths(robot, np.broadcast_to(np.eye(3), (*t.shape, 3)), t)

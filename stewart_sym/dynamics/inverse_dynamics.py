@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import results
-from ..backend.calls import CKernel, Kernel, NumpyKernel
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
+from ..calls.c_kernel import CKernel
+from ..calls.numpy_kernel import NumpyKernel
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
 from ..io.error_policy import warn
@@ -39,7 +40,7 @@ def faults_of(formulation: str) -> frozenset[int]:
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
-class _VectorKernel(Kernel):
+class _VectorKernel:
     """Vector implementation, which robots with offset joints use for every backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
@@ -50,12 +51,15 @@ class _VectorKernel(Kernel):
             need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
-    def _run(self, name: str, motion: Motion, *bearing: Array) -> dict[str, Any]:
-        if self.robot.offsets is not None:
-            found = getattr(offset_joints, name)(self.robot, motion, *bearing)
-        else:
-            found = getattr(newton_euler, name)(self.robot, motion, self.faults, *bearing)
-        return {**vars(found)}
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of inverse dynamics or joint reactions, as ``CKernel.run``."""
+        offset = self.robot.offsets is not None
+        of, faults = (offset_joints, ()) if offset else (newton_euler, (self.faults,))
+        found: dict[str, Any] = vars(getattr(of, output)(self.robot, motion, *faults, *given))
+        return found
+
+
+DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
 
 
 def inverse_dynamics(
@@ -132,7 +136,7 @@ def inverse_dynamics(
     0
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    found = kernel.forces(motion)
+    found = results.InverseDynamicsResult(**kernel.run("inverse_dynamics", motion))
     if on_singular == "damped":
         error = np.where((found.status == results.OK)[..., None], np.zeros(6), np.nan)
         found = dataclasses.replace(found, wrench_error=error)
@@ -195,24 +199,17 @@ def joint_reactions(
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> reactions = ss.joint_reactions(robot, motion)
     >>> reactions.F_u[0].round(2).tolist()
-    [0.59, -0.81, 16.75]
+    [-115.44, -156.74, 348.17]
     >>> reactions.M_p.shape
     (6, 3)
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     where = per_leg(0.0 if bearing_distance is None else bearing_distance, "bearing_distance")
-    found = _without_overflow(kernel.reactions(motion, where))
+    found = _without_overflow(results.JointReactionsResult(**kernel.run("joint_reactions", motion, where)))
     if on_singular == "damped":
         found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
     return _checked(found, found.M_u, robot, motion, on_singular)
@@ -251,17 +248,10 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> ss.massless_forces(robot, motion).round(2).tolist()
-    [2.72, 3.66, 6.2, 2.88, 2.59, 5.37]
+    [268.53, -827.09, 1096.09, -481.61, -55.66, 332.42]
     """
     need_motion(robot, motion)
     need_masses(robot)
@@ -306,18 +296,11 @@ def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     Examples
     --------
     >>> import stewart_sym as ss
-    >>> robot = ss.robots.load("unal")
-    >>> motion = ss.Motion.from_rpy(
-    ...     t=[0.02, 0.0, 0.7],
-    ...     theta=[0.1, 0.0, 0.0],
-    ...     v=[0.0, 0.0, 0.2],
-    ...     theta_dot=[0.0, 0.1, 0.0],
-    ...     a=[0.0, 0.0, 1.0],
-    ...     theta_ddot=[0.0, 0.0, 0.5],
-    ... )
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
     >>> F = ss.inverse_dynamics(robot, motion).F
     >>> ss.leg_dynamics_fraction(robot, motion, F=F).round(2).tolist()
-    [0.32, 0.42, 0.45, 0.18, 0.32, 0.47]
+    [0.28, 0.22, 0.19, 0.15, 0.28, 0.13]
     """
     F0 = massless_forces(robot, motion)
     forces = real_array(F, "F", f"forces of shape {F0.shape}")
@@ -327,13 +310,15 @@ def leg_dynamics_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
         return (forces - F0) / forces
 
 
-def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> Kernel:
+def _prepared(
+    robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
+) -> DynamicsKernel:
     need_motion(robot, motion)
     option(on_singular, ON_SINGULAR, "on_singular")
     return prepared_kernel(robot, formulation, backend)
 
 
-def prepared_kernel(robot: Robot, formulation: str, backend: str) -> Kernel:
+def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
@@ -342,7 +327,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> Kernel:
         return _VectorKernel(robot, formulation)
     if backend == "numpy":
         return NumpyKernel(robot, formulation)
-    found: Kernel = with_compiler(
+    found: DynamicsKernel = with_compiler(
         lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
     )
     return found

@@ -160,16 +160,11 @@ def _neighbors(robot: Robot, first: Motion) -> Motion:
     """Return motions around the example, (n,), in numbers of few digits; some are at rest."""
     # Integers are exact, so that R does not depend on the computer.
     turned = np.rint(first.R * WHOLE)
-    R, off = [], []
     center = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    for (w, x, y, z), shift in zip(_TURNS * len(_SHIFTS), itertools.cycle(_SHIFTS), strict=False):
-        turn, over = whole_turn(w, x, y, z)
-        R.append((turn @ turned) / (over * WHOLE))
-        off.append(center + size_of(robot) * np.array(shift))
-    paces, loads = (
-        np.array(list(itertools.islice(itertools.cycle(values), len(R)))) for values in (_PACES, _LOADS)
-    )
-    return _motion(robot, np.array(R), np.array(off), paces, loads)
+    turns = itertools.starmap(whole_turn, _TURNS * len(_SHIFTS))
+    R = np.array([(turn @ turned) / (over * WHOLE) for turn, over in turns])
+    off = center + size_of(robot) * np.resize(_SHIFTS, (len(R), 3))
+    return _motion(robot, R, off, np.resize(_PACES, len(R)), np.resize(_LOADS, len(R)))
 
 
 def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Motion:
@@ -210,14 +205,12 @@ def whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
 
 def _quarter_turns() -> list[Array]:
     """Return the 24 rotations that permute the axes, the identity first."""
-    turns = []
-    for order in itertools.permutations(range(3)):
-        for signs in itertools.product((1.0, -1.0), repeat=3):
-            turn = np.zeros((3, 3))
-            turn[range(3), order] = signs
-            if float(np.cross(turn[0], turn[1]) @ turn[2]) > 0.0:
-                turns.append(turn)
-    return turns
+    every = [
+        np.eye(3)[list(order)] * np.array(signs)[:, None]
+        for order in itertools.permutations(range(3))
+        for signs in itertools.product((1.0, -1.0), repeat=3)
+    ]
+    return [turn for turn in every if np.linalg.det(turn) > 0.0]
 
 
 def size_of(robot: Robot) -> float:

@@ -119,7 +119,7 @@ class SymbolicResult:
         """Compile a NumPy function of the arguments, by name, for one pose.
 
         The function has no status: digits are lost near a singularity without notice.
-        ``ForceKernel(robot).status(motion)`` identifies such poses.
+        ``ForceKernel(robot).forces_and_status(motion)`` identifies such poses.
 
         Returns
         -------

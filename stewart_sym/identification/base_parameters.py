@@ -19,13 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import qr
 
-from ..dynamics.home_pose import home_pose, radius, upright
+from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import need_universal
 from ..generated import exact_regressor
 from ..io.arguments import instance, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse_kinematics import inverse_kinematics, joint_sines
+from ..kinematics.mounting_side import radius, upright
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import LEGS, Robot

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 
 from ..drives.limits import LEG_LIMITS, LimitTracker, limited_angles
 from ..drives.motor_states import motor_states
-from ..dynamics.home_pose import home_pose, radius, upright
+from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
 from ..io.arguments import finite_array, number_in, real_array, whole_number
 from ..io.array_types import Array, Frozen
 from ..io.progress import Progress, silent, tracked
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
+from ..kinematics.mounting_side import radius, upright
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParametersResult, base_parameters

@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.calls import address, call, function, on_arrays
-from ..backend.kernel import legs_side_by_side, robot_numbers
+from ..backend.kernel import robot_numbers
+from ..calls.c_kernel import address, function, results_of
+from ..calls.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse_dynamics import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
 from ..generated import rotor_regressor as exact_rotors
@@ -158,12 +159,11 @@ def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -
 
     def run() -> tuple[Array, Codes]:
         width = 0 if columns is None else len(columns)
-        Y = np.empty((*motion.shape, 6, _COLUMNS if columns is None else width))
-        status = np.zeros(motion.shape, dtype=np.int32)
+        shapes = {"Y": (6, _COLUMNS if columns is None else width)}
         chosen = (address(columns), ctypes.c_size_t(width))
         code = function("exact", "regressor_batch", "_regressor")
-        call(code, robot_numbers(robot), motion, *chosen, address(Y), address(status))
-        return Y, status
+        found = results_of(code, robot_numbers(robot), motion, shapes, chosen, apart=True)
+        return found["Y"], found["status"]
 
     found: tuple[Array, Codes] = with_compiler(run, lambda: _on_arrays(robot, motion, columns))
     return found

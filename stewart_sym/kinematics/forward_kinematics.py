@@ -7,7 +7,7 @@ determines which assembly mode is found.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,7 +31,6 @@ from ..results import (
 from ..robot.robot import Robot
 from .conditioning import condition_number, moments_over
 from .inverse_kinematics import legs_or_overflow
-from .offset_legs import without_offsets
 from .pose_search import (
     EPS,
     MOST_STARTS,
@@ -163,7 +162,7 @@ def forward_kinematics(
     flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
     if robot.offsets is not None:
         # Without a guess, the search begins at the solutions for legs without offsets.
-        ends = newton(robot, flat, *(poses or search_poses(without_offsets(robot), flat)[:2]))
+        ends = newton(robot, flat, *(poses or search_poses(replace(robot, offsets=None), flat)[:2]))
     else:
         ends = search_poses(robot, flat) if poses is None else nearest_poses(robot, flat, *poses)
     R, t, residual, iterations, found = ends

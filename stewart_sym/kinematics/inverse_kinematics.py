@@ -1,22 +1,19 @@
 """Inverse kinematics of the legs, (1)-(5) and (8), and the matrix H of (36) with its time derivative."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from ..backend.calls import call, function, pointers
 from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
+from ..calls.c_kernel import function, results_of
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance
 from ..io.array_types import Array, Flags
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..motion.rotation import cross
-from ..results import OK
-from ..robot.offset_chains import SLIDING, columns_of_H
+from ..robot.offset_chains import SLIDING, chains, columns_of_H
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .offset_legs import checked_motion, rate_of_H
@@ -28,11 +25,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 """Leg length, relative to the largest of its terms, below which the length is only rounding error."""
 
 
-BLOCK = 512
-"""Number of poses per block, small enough for the processor cache.
-
-At least half as many poses are computed by the C code if a compiler is available.
-"""
+MANY = 256
+"""Number of poses above which the C code computes the legs if a compiler is available."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,28 +122,23 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> InverseKinematicsResult:
             s=moving.at.s,
             S=moving.at.P,
         )
-    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK // 2 else None
-    return (
-        InverseKinematicsResult(**found)
-        if found
-        else InverseKinematicsResult(*_in_blocks(_legs, robot, motion))
-    )
+    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= MANY else None
+    return found or _legs(robot, motion)
 
 
-_SHAPES = STRUCTS["legs"]
-
-
-def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
+def _compiled_legs(robot: Robot, motion: Motion) -> InverseKinematicsResult | None:
     """Compute all leg quantities with the C code; None without a compiler or if a pose has an error."""
     try:
         code = function("legs", "batch")
     except CompilerError:
         return None
-    wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
-    found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
-    outputs = pointers(map(found.get, _SHAPES))
-    status = call(code, robot_numbers(robot), motion, outputs, None)
-    return dict.fromkeys(_SHAPES) | found if status == OK else None
+    # Without accelerations, any values serve: L_ddot is discarded.
+    rates = {"a": motion.v, "alpha": motion.omega} if motion.a is None else {}
+    moving = Motion._unchecked(**vars(motion) | rates)
+    found = results_of(code, robot_numbers(robot), moving, STRUCTS["legs"])
+    if found.pop("status").any():
+        return None
+    return InverseKinematicsResult(**found | ({} if motion.a is not None else {"L_ddot": None}))
 
 
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:
@@ -198,9 +187,10 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return columns_of_H(robot, checked_motion(robot, motion).G)
-    L, rows = _in_blocks(_rows_of_H, robot, motion)
+    with np.errstate(all="ignore"):
+        q, S, L = _vectors(robot, motion)
     _reject_overflow(L)
-    return np.swapaxes(rows, -1, -2)
+    return np.swapaxes(length_rows(q, S, L), -1, -2)
 
 
 def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
@@ -245,7 +235,12 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     """
     if getattr(robot, "offsets", None) is not None:
         return rate_of_H(robot, motion)
-    L, rows = _in_blocks(_rows_of_H_dot, robot, motion)
+    with np.errstate(all="ignore"):
+        q, S, L = _vectors(robot, motion)
+        s, q_dot = S / L[..., None], cross(motion.omega[..., None, :], q)
+        S_dot = q_dot + motion.v[..., None, :]
+        s_dot = (S_dot - _dot(s, S_dot)[..., None] * s) / L[..., None]
+        rows = np.concatenate([s_dot, cross(q_dot, s) + cross(q, s_dot)], axis=-1)
     _reject_overflow(L, rows)
     return np.swapaxes(rows, -1, -2)
 
@@ -259,6 +254,23 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     q = robot.p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - robot.b
     return q, S, np.sqrt(np.einsum("...i,...i->...", S, S))
+
+
+def leg_axes(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q and vectors along the prismatic joints (m), (..., 6, 3), and lengths (m), (..., 6).
+
+    Legs may have offsets. NaN if a leg has no solution.
+    """
+    if robot.offsets is None:
+        return leg_vectors(robot, R, t)
+    with np.errstate(all="ignore"):
+        at = chains(robot, at_rest(R, t))
+    return at.q, at.s * at.L, at.L[..., 0]
+
+
+def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
+    """Return the leg lengths (m), shape (..., 6), of legs with or without offsets; NaN without a solution."""
+    return leg_axes(robot, R, t)[2]
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:
@@ -295,59 +307,35 @@ def clear_of_joint_singularities(robot: Robot, legs: InverseKinematicsResult) ->
     return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
-def _in_blocks(made: Callable[[Robot, Motion, int], tuple[Any, ...]], robot: Robot, motion: Motion) -> Any:
-    """Compute arrays from a motion in blocks; ``made`` also receives the index of a block's first pose."""
+def _vectors(robot: Robot, motion: Motion) -> tuple[Array, Array, Array]:
+    """Return ``leg_vectors``; raise ValueError for the first leg of length zero."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    with np.errstate(all="ignore"):
-        if len(motion.shape) != 1 or motion.shape[0] <= BLOCK:
-            return made(robot, motion, 0)
-        blocks = [made(robot, motion[i : i + BLOCK], i) for i in range(0, motion.shape[0], BLOCK)]
-    return [None if parts[0] is None else np.concatenate(parts) for parts in zip(*blocks, strict=True)]
-
-
-def _vectors(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array, Array]:
-    """Return ``leg_vectors``; raise ValueError for the first leg of length zero.
-
-    ``start`` is the index of the first pose.
-    """
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     reach = np.maximum(np.abs(q).max(axis=-1), np.abs(robot.b).max(axis=-1))
     reach = np.maximum(reach, np.abs(motion.t).max(axis=-1)[..., None])
     short = np.argwhere(ROUNDING * reach >= L)
     if short.size:
         *pose, leg = (int(i) for i in short[0])
-        where = f" at motion[{', '.join(str(start + i) for i in pose)}]" if pose else ""
+        where = f" at motion[{', '.join(map(str, pose))}]" if pose else ""
         raise ValueError(f"motion: leg {leg + 1} has length zero{where}")
     return q, S, L
 
 
-def _rows_of_H(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array]:
-    q, S, L = _vectors(robot, motion, start)
-    return L, length_rows(q, S, L)
-
-
-def _rows_of_H_dot(robot: Robot, motion: Motion, start: int) -> tuple[Array, Array]:
-    q, S, L = _vectors(robot, motion, start)
-    s, q_dot = S / L[..., None], cross(motion.omega[..., None, :], q)
-    S_dot = q_dot + motion.v[..., None, :]
-    s_dot = (S_dot - _dot(s, S_dot)[..., None] * s) / L[..., None]
-    return L, np.concatenate([s_dot, cross(q_dot, s) + cross(q, s_dot)], axis=-1)
-
-
-def _legs(robot: Robot, motion: Motion, start: int) -> tuple[Array | None, ...]:
-    """Return the fields of ``InverseKinematicsResult``."""
-    q, S, L = _vectors(robot, motion, start)
-    s = S / L[..., None]
-    S_dot = tip_velocities(motion, q)
-    L_dot, L_ddot = _dot(s, S_dot), None
-    if motion.a is not None and motion.alpha is not None:
-        omega, alpha = motion.omega[..., None, :], motion.alpha[..., None, :]
-        S_ddot = cross(alpha, q) + cross(omega, cross(omega, q)) + motion.a[..., None, :]
-        # The term L W.W of (8), from the component of S_dot normal to the leg: |W x S| = L |W|.
-        across = S_dot - L_dot[..., None] * s
-        L_ddot = _dot(s, S_ddot) + _dot(across, across) / L
-    return L, L_dot, L_ddot, s, S
+def _legs(robot: Robot, motion: Motion) -> InverseKinematicsResult:
+    """Compute all leg quantities with NumPy."""
+    with np.errstate(all="ignore"):
+        q, S, L = _vectors(robot, motion)
+        s = S / L[..., None]
+        S_dot = tip_velocities(motion, q)
+        L_dot, L_ddot = _dot(s, S_dot), None
+        if motion.a is not None and motion.alpha is not None:
+            omega, alpha = motion.omega[..., None, :], motion.alpha[..., None, :]
+            S_ddot = cross(alpha, q) + cross(omega, cross(omega, q)) + motion.a[..., None, :]
+            # The term L W.W of (8), from the component of S_dot normal to the leg: |W x S| = L |W|.
+            across = S_dot - L_dot[..., None] * s
+            L_ddot = _dot(s, S_ddot) + _dot(across, across) / L
+    return InverseKinematicsResult(L, L_dot, L_ddot, s, S)
 
 
 def _dot(x: Array, y: Array) -> Array:

@@ -15,17 +15,13 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..motion.straight_line import PAPER_PATHS, PaperPath
 from ..robot.robot import Robot
-from .conditioning import characteristic_length, scaled_condition_number
-from .inverse_kinematics import leg_vectors, length_rows
-from .offset_legs import without_offsets
 
 DECISIVE = 0.1
 """Smallest fraction of gravity along the base normal for which gravity determines the side."""
 # Largest angle (rad) to the normal of the base points at which an axis of the base frame replaces the normal.
 _LEVEL = np.radians(15.0)
-# Relative differences of the two sides that are clear, and that exceed rounding.
-_CLEARLY, _EQUAL = 0.01, 1e-6
-_AGAINST_GRAVITY, _AT_HOME = "opposite to gravity", "from home_position of the robot file"
+# Distance of the home pose from the base plane, relative to the machine size, above which it has a side.
+_EQUAL = 1e-6
 # Largest x component of a unit vector that is far enough from the x axis.
 _ACROSS = 0.9
 # Coordinate of a mean, relative to the largest coordinate, below which it is rounding error.
@@ -45,23 +41,13 @@ class Side(NamedTuple):
         Unit vector from the base to the platform in the base frame.
     rule : str
         Rule that determined the side, in words.
-    settled : bool
-        False if the opposite side is equally plausible.
+    certain : bool
+        False if neither gravity nor a home pose determined the side, because the opposite is as plausible.
     """
 
     direction: Array
     rule: str
-    settled: bool
-
-    @property
-    def by_gravity(self) -> bool:
-        """True if gravity determined the side."""
-        return self.rule == _AGAINST_GRAVITY
-
-    @property
-    def certain(self) -> bool:
-        """True if gravity or a given home pose determined the side."""
-        return self.rule in (_AGAINST_GRAVITY, _AT_HOME)
+    certain: bool
 
 
 def up_direction(robot: Robot) -> Array:
@@ -89,9 +75,8 @@ def up_direction(robot: Robot) -> Array:
     Notes
     -----
     The direction is the normal of the plane of the base points, or an axis of the base frame within 15
-    degrees of it. Its sign follows from the home pose or from gravity. Otherwise it is the side on which the
-    legs of the level platform are closer to their length limits, or on which H has the smaller condition
-    number.
+    degrees of it. Its sign follows from the home pose or from gravity. Otherwise its component of largest
+    magnitude is positive.
 
     Examples
     --------
@@ -100,7 +85,7 @@ def up_direction(robot: Robot) -> Array:
     [0.0, 0.0, 1.0]
     """
     side = platform_side(robot)
-    if not side.settled:
+    if not side.certain:
         warn(f"robot: {side.rule}", AssemblyModeWarning)
     return side.direction
 
@@ -110,34 +95,21 @@ def platform_side(robot: Robot) -> Side:
 
     The direction is the normal of the plane of the base points, or an axis of the base frame within 15
     degrees of it. A given home pose determines its sign, otherwise the direction opposite to gravity. If
-    gravity is 0 or parallel to the plane, the result is the side on which the legs of the level platform are
-    closer to their length limits. Without a clear difference, it is the side on which H has the smaller
-    condition number.
+    gravity is 0 or parallel to the plane, its component of largest magnitude is positive.
     """
     instance(robot, Robot, "robot")
     axis = _axis(robot.b)
     if robot.home_position is not None:
         along = float((robot.home_position + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
         if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
-            return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
+            return Side(-axis if along < 0.0 else axis, "from home_position of the robot file", True)
     g = robot.g / (np.abs(robot.g).max() or 1.0)
     pull = float(_normal(robot.b, axis) @ g)
     if abs(pull) > DECISIVE * np.linalg.norm(g):
-        return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
+        return Side(-axis if pull > 0.0 else axis, "opposite to gravity", True)
     gravity = f"gravity is {'parallel to the base' if np.any(robot.g) else '0'}"
-    outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)
-    for name, (one, other) in (
-        ("closer to the length limits", outside),
-        ("with the smaller condition number", condition),
-    ):
-        if abs(one - other) > _CLEARLY * max(one, other):
-            return Side(axis if one < other else -axis, f"{gravity}; selected the side {name}", True)
-    # The difference is small, but it selects the same side for any axes of the robot file.
-    if condition[0] - condition[1] > _EQUAL * condition[0]:
-        axis = -axis
     selected = f"selected the side {_shown(axis)} of the base, although {_shown(-axis)} is as plausible"
-    rule = f"{gravity}; {selected}; give home_position"
-    return Side(axis, rule, False)
+    return Side(axis, f"{gravity}; {selected}; give home_position", False)
 
 
 def upright(robot: Robot) -> Array:
@@ -186,17 +158,6 @@ def _axis(b: Array) -> Array:
     if abs(n[largest]) >= np.cos(_LEVEL):
         return np.asarray(np.eye(3)[largest])
     return -n if n[largest] < 0.0 else n
-
-
-def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
-    """Return the least violation of the length limits (m) and the least condition number over all heights."""
-    t = level_positions(robot, direction)
-    q, S, L = leg_vectors(without_offsets(robot), np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
-    low, high = robot.length_limits.T
-    outside = np.max(np.maximum(np.maximum(low - L, L - high), 0.0), axis=-1)
-    H = np.swapaxes(length_rows(q, S, L), -1, -2)
-    condition = scaled_condition_number(H, characteristic_length(robot) or 1.0)
-    return float(np.min(outside)), float(np.min(condition))
 
 
 def path_for(robot: Robot, name: str) -> PaperPath:

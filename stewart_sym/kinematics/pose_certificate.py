@@ -229,17 +229,9 @@ def _norms(vectors: Rationals) -> Rationals:
 
 
 def _norm(values: Rationals) -> Fraction:
-    """Return a tight upper bound of the Euclidean norm, rounded to few digits to keep the fractions short."""
+    """Return an upper bound of the Euclidean norm, at most 2^-100 above it."""
     square: Fraction = values @ values
-    if square == 0:
-        return Fraction(0)
-    # Powers of four scale the square into the range in which a double has full precision.
-    shift = (square.numerator.bit_length() - square.denominator.bit_length()) // 2
-    scaled = square / Fraction(4) ** shift
-    root = Fraction(math.sqrt(float(scaled))) * (1 + Fraction(1, 2**50))
-    while root * root < scaled:
-        root *= 1 + Fraction(1, 2**50)
-    return root * Fraction(2) ** shift
+    return Fraction(math.isqrt(math.ceil(square * 4**100)) + (square > 0), 2**100)
 
 
 def _above(value: float) -> float:

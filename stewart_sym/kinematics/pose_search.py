@@ -13,7 +13,7 @@ from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse_kinematics import ROUNDING, leg_vectors, length_rows
 from .mounting_side import base_normal, upright
-from .offset_legs import length_jacobian, search
+from .offset_legs import actuated_lengths
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
@@ -36,13 +36,14 @@ _AT_ONCE = 64
 _ALMOST = 1e-6
 
 
-def rates_per_twist(robot: Robot, R: Array, t: Array) -> Array:
-    """Compute J = H^T, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
+def rates_per_twist(robot: Robot, R: Array, t: Array, screws: bool = False) -> Array:
+    """Compute J, shape (..., 6, 6), whose rows [s^T, (q x s)^T] map the twist [v; omega] to L_dot, (5).
 
-    With offset joints, J is the derivative of the lengths.
+    With joint offsets, J is the derivative of the lengths; with ``screws``, it is H^T, which contains the
+    spin of the upper leg parts in their nuts. NaN if a leg has no solution.
     """
     if robot.offsets is not None:
-        return length_jacobian(robot, R, t)
+        return actuated_lengths(robot, R, t, screws)[2]
     return length_rows(*leg_vectors(robot, R, t))
 
 
@@ -241,7 +242,13 @@ def impossible_pairs(robot: Robot, L: Array) -> Flags:
 
 
 def newton(
-    robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0, free: float | None = None
+    robot: Robot,
+    L: Array,
+    R: Array,
+    t: Array,
+    most: float = 1.0,
+    free: float | None = None,
+    screws: bool = False,
 ) -> PoseSearchResult:
     """Search poses with lengths L, shape (n, 6), from start poses (n, ...) by damped Newton steps.
 
@@ -249,37 +256,37 @@ def newton(
     angles scaled by the platform size. The damping decreases after each step that reduces the residual, so
     that the last steps are Newton steps. Other steps are rejected and repeated with more damping. ``most``
     limits a step. A search with ``free`` rejects no steps; ``free`` is the damping of its first four steps.
-    With offset joints the search is ``offset_legs.search``.
+    With ``screws``, L are motor angles divided by N, which include the spin of the upper leg parts.
     """
-    if robot.offsets is not None:
-        R, t, converged, residual, steps = search(robot, L, R, t)
-        return PoseSearchResult(R, t, residual, steps, converged)
     R, t = rotation.orthonormal(R), t.copy()
     length = platform_size(robot)
     damping = np.full(len(L), _FIRST_DAMPING if free is None else free)
     iterations = np.zeros(len(L), dtype=np.int64)
     live = np.arange(len(L))
-    with np.errstate(over="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):
+        now, J, reach = at = _at(robot, R, t, screws)
         for step in range(_MOST_STEPS if free is None else _FREE_STEPS):
-            q, S, now = leg_vectors(robot, R[live], t[live])
-            miss = L[live] - now
-            far = np.max(np.abs(miss), axis=-1) > _GOAL * _reach(robot, q, t[live])
-            go = far & (damping[live] <= _MOST_DAMPING)
-            live, q, S, now, miss = live[go], q[go], S[go], now[go], miss[go]
+            far = np.max(np.abs(L[live] - now[live]), axis=-1) > _GOAL * reach[live]
+            far &= (damping[live] <= _MOST_DAMPING) & np.isfinite(J[live]).all(axis=(-2, -1))
+            live = live[far]
             if not live.size:
                 break
-            J = length_rows(q, S, now) / np.repeat([1.0, length], 3)
-            J_T = np.swapaxes(J, -1, -2)
-            A = J_T @ J + damping[live][:, None, None] * np.eye(6)
-            d, _ = solve(A, np.einsum("...ji,...j->...i", J, miss))
+            miss = L[live] - now[live]
+            rows = J[live] / np.repeat([1.0, length], 3)
+            A = np.swapaxes(rows, -1, -2) @ rows + damping[live][:, None, None] * np.eye(6)
+            d, _ = solve(A, np.einsum("...ji,...j->...i", rows, miss))
             d[:, 3:] /= length
             # The linearization is meaningless beyond the length of the legs or a rotation of one radian.
             share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
             d /= np.maximum(1.0, share)[:, None]
-            R_1 = rotation.orthonormal(rotation.rotation_from_vector(d[:, 3:]) @ R[live])
-            t_1 = t[live] + d[:, :3]
-            nearer = (free is not None) | (_size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss))
-            R[live[nearer]], t[live[nearer]] = R_1[nearer], t_1[nearer]
+            moved = (
+                rotation.orthonormal(rotation.rotation_from_vector(d[:, 3:]) @ R[live]),
+                t[live] + d[:, :3],
+            )
+            there = _at(robot, *moved, screws)
+            nearer = (free is not None) | (_size(L[live] - there[0]) < _size(miss))
+            for old, new in zip((R, t, *at), (*moved, *there), strict=True):
+                old[live[nearer]] = new[nearer]
             iterations[live] += 1
             if free is not None:
                 damping[live] = free if step < 3 else 0.0
@@ -289,15 +296,19 @@ def newton(
                 np.maximum(damping[live] * 1e-2, _LEAST_DAMPING),
                 np.maximum(damping[live] * 10.0, 1e-8),
             )
-        q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
-    return PoseSearchResult(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
+    return PoseSearchResult(R, t, residual, iterations, residual <= ROUNDING * reach)
 
 
-def _reach(robot: Robot, q: Array, t: Array) -> Array:
-    """Return the largest component of the terms of S = q + t - b (m), shape (...)."""
+def _at(robot: Robot, R: Array, t: Array, screws: bool) -> tuple[Array, Array, Array]:
+    """Return lengths, their derivative by the twist, and the largest component in S = q + t - b (m), (n,)."""
+    if robot.offsets is None:
+        q, S, L = leg_vectors(robot, R, t)
+        J = length_rows(q, S, L)
+    else:
+        q, L, J = actuated_lengths(robot, R, t, screws)
     of_platform = np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1))
-    return np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
+    return L, J, np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
 
 
 def _size(vector: Array) -> Array:

@@ -13,7 +13,7 @@ from ..motion.log_samples import LogSamples, read_samples
 from ..motion.trajectory import SmoothingOptions, Trajectory
 from ..motion.trajectory_format import PLAIN, TrajectoryFormat, TrajectoryWarning
 from ..robot.robot import Robot
-from .offset_legs import leg_lengths
+from .inverse_kinematics import leg_lengths
 from .trajectory_checks import log_doubts, need_units
 
 

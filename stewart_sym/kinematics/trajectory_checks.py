@@ -14,11 +14,10 @@ from ..motion.motion import Motion
 from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import Trajectory
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
-from ..robot.offset_chains import columns_of_H, joint_motion
 from ..robot.robot import Robot
 from ..robot.units import Units
+from .inverse_kinematics import leg_lengths
 from .mounting_side import platform_side
-from .offset_legs import leg_lengths
 from .pose_search import rates_per_twist
 
 # Number of samples that are checked.
@@ -243,11 +242,7 @@ def side_change(robot: Robot, motion: Motion) -> int | None:
     A singular pose exists between this pose and the next one.
     """
     with np.errstate(invalid="ignore"):
-        if robot.offsets is None:
-            H = rates_per_twist(robot, motion.R, motion.t)
-        else:
-            H = columns_of_H(robot, joint_motion(robot, motion).G)
-        sign = np.sign(np.linalg.det(H))
+        sign = np.sign(np.linalg.det(rates_per_twist(robot, motion.R, motion.t, screws=True)))
     changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
     return int(changes[0]) if changes.size else None
 
@@ -262,7 +257,7 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     if not side.certain or np.any(center @ side.direction >= 0.0):
         return None
     where, unless = ("on the other side of the base than at home", "")
-    if side.by_gravity:
+    if robot.home_position is None:
         where = "below the base, in the direction of gravity,"
         unless = " (forces are correct for a suspended machine)"
     return (

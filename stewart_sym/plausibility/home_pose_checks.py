@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..dynamics.home_pose import level_lengths, radius
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.array_types import Array
+from ..kinematics.inverse_kinematics import leg_lengths
+from ..kinematics.mounting_side import radius
 from ..motion.motion import at_rest
 from ..robot.robot import Robot, legs_text
 from .finding import Finding, finding, in_file, smaller_unit
@@ -27,7 +28,7 @@ IN_METERS = 0.05
 
 def of_home(robot: Robot, t: Array) -> Iterator[Finding]:
     """Yield findings about limits, centers of mass, forces, and motors of the level pose at t (m)."""
-    L = level_lengths(robot, t)
+    L = leg_lengths(robot, np.eye(3), t)
     found = list(_of_limits(robot, L)) or list(_of_parts(robot, L))
     yield from found
     if not found and not robot.missing_bodies:

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from ..dynamics.home_pose import home_pose, level_lengths, radius
+from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
-from ..kinematics.inverse_kinematics import length_rows
-from ..kinematics.mounting_side import level_positions
+from ..kinematics.inverse_kinematics import leg_lengths, length_rows
+from ..kinematics.mounting_side import level_positions, radius
 from ..robot.robot import Robot
 
 GOOD_CONDITION, MISPAIRED = 12.0, 6.0
@@ -32,7 +32,7 @@ def level_home(robot: Robot) -> Array:
     normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
     directions = (toward / np.linalg.norm(toward), normal, -normal)
     others = np.concatenate([t[None], *(level_positions(robot, axis, HEIGHTS) for axis in directions)])
-    found, lengths = level_conditions(robot.b, robot.p, others), level_lengths(robot, others)
+    found, lengths = level_conditions(robot.b, robot.p, others), leg_lengths(robot, np.eye(3), others)
     if np.all(np.isfinite(robot.length_limits)):
         away = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
         away[0] = 0.0

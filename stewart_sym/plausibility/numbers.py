@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..dynamics.home_pose import radius
 from ..io.array_types import Array
+from ..kinematics.mounting_side import radius
 from ..robot.robot import Robot, legs_text
 from ..robot.units import Units
 from .finding import Finding, finding, in_file, smaller_unit

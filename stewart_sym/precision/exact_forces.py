@@ -14,8 +14,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.calls import loaded
 from ..backend.kernel import kernel_name
+from ..calls.numpy_kernel import loaded
 from ..derive.kernel.outputs import FORCES, program
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import BY_KERNEL, EXACT, Formulation

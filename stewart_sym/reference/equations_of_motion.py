@@ -72,72 +72,6 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
     return np.swapaxes(columns, -1, -2), bias, status
 
 
-def forward_dynamics(
-    robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = newton_euler.EXACT
-) -> Array:
-    """Compute [a; alpha], (6,), of one pose under F, (6,), with 50 digits; NaN if M is not positive definite.
-
-    It is for poses at which M loses digits in double precision: near a joint singularity, and for very short
-    or very heavy legs.
-    """
-    machine, moving = _wide_robot(robot), _wide_motion(motion)
-    leg, H, c = newton_euler.balance(machine, moving, faults)
-    rest = H @ (_wide(F) - leg.D[..., 0]) + c
-    M = _digits().matrix(inertia_and_bias(_wide_wrench(faults), machine, moving)[0].tolist())
-    try:
-        return np.array([float(x) for x in _digits().cholesky_solve(M, _digits().matrix(rest.tolist()))])
-    except ValueError:
-        return np.full(6, np.nan)
-
-
-def at_50_digits(
-    robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
-) -> dict[str, Array]:
-    """Compute M, C, g, friction, and bias of one pose with 50 digits, rounded to doubles."""
-    parts, _ = _terms(_wide_wrench(faults), _wide_robot(robot), _wide_motion(motion))
-    return {name: value.astype(np.float64) for name, value in parts.items()}
-
-
-def _wide_wrench(faults: frozenset[int]) -> ActuatorWrench:
-    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        leg, H, c = newton_euler.balance(robot, motion, faults)
-        return (H @ leg.D)[..., 0] - c, np.zeros(motion.shape, dtype=np.int32)
-
-    return wrench
-
-
-def _wide_robot(robot: Robot) -> Any:
-    wide = SimpleNamespace(
-        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in (*GEOMETRY, *INERTIAL)}
-    )
-    if robot.base_joint == "universal":
-        wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
-    return wide
-
-
-def _wide_motion(motion: Motion) -> Motion:
-    """Return pose, velocities, and load with 50 digits, without accelerations."""
-    none = np.zeros_like(motion.t)
-    R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
-    load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
-    return Motion._unchecked(R, t, omega, v, none, none, *load)
-
-
-@functools.cache
-def _digits() -> Any:
-    """Return an arithmetic of 50 digits. The import is delayed, because few functions require mpmath."""
-    import mpmath
-
-    context = mpmath.MPContext()
-    context.dps = 50
-    return context
-
-
-def _wide(values: Any) -> Any:
-    """Convert numbers to 50 digits."""
-    return np.vectorize(_digits().mpf, otypes=[object])(values)
-
-
 GEOMETRY = ("g", "b", "p", "k")
 INERTIAL = (
     *("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0"),
@@ -189,16 +123,9 @@ def bare_robot(robot: Robot) -> Robot:
     return _without(robot, ("g", "C_u", "C_p", "C_s"))
 
 
-def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
-    """Return the robot, or a robot of wider numbers, with zeros in the named fields."""
-    if isinstance(robot, Robot):
-        return _zeroed(robot, names)
-    wide: Any = SimpleNamespace(**{**vars(robot), **{name: 0 * getattr(robot, name) for name in names}})
-    return wide
-
-
 @functools.lru_cache(maxsize=16)
-def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
+def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
+    """Return the robot with zeros in the named fields."""
     return dataclasses.replace(robot, **{name: np.zeros_like(getattr(robot, name)) for name in names})
 
 

@@ -14,8 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..backend.calls import CKernel
-from ..backend.kernel import MOTION
+from ..calls.c_kernel import CKernel
 from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from ..io.arguments import instance, number_in, real_array
@@ -263,12 +262,11 @@ def _model(robot: Robot, formulation: Formulation, backend: Backend) -> Model:
     """Return the inverse dynamics of single poses: F (N), shape (6,), NaN in poses without a solution."""
     kernel = prepared_kernel(robot, formulation, backend)
     if not isinstance(kernel, CKernel):
-        return lambda motion: kernel.forces(motion).F
-    pose, zero = ForceKernel(robot, formulation).single_pose(), np.zeros(3)
+        return lambda motion: np.asarray(kernel.run("inverse_dynamics", motion)["F"])
+    pose = ForceKernel(robot, formulation).single_pose()
 
     def forces(motion: Motion) -> Array:
-        values = (getattr(motion, name) for name in MOTION)
-        np.concatenate([zero if value is None else value.ravel() for value in values], out=pose.numbers)
+        pose.load(motion)
         return np.full(6, np.nan) if pose.solve() else pose.F.copy()
 
     return forces

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from ..kinematics.inverse_kinematics import leg_lengths
 from ..kinematics.mounting_side import platform_side
-from ..kinematics.offset_legs import leg_lengths
 from ..kinematics.trajectory_checks import LEAST_TURN, MOST_TURNS, impossible, meters_doubt
 from ..motion.rotation import rotation_from_rpy
 from ..robot.fields import DEFAULT_GRAVITY, vector_text

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..backend.calls import NumpyKernel
 from ..backend.kernel import FORMULATIONS
+from ..calls.numpy_kernel import NumpyKernel
 from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Flags

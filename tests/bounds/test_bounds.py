@@ -20,8 +20,8 @@ from unsolvable_poses import singular
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.calls import address, c_sources, library, prepared_model
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.calls.c_kernel import address, c_sources, function, prepared_model
 from stewart_sym.dynamics import force_error_bounds
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
 
@@ -156,9 +156,9 @@ def test_poses_without_an_answer_raise_or_are_nan() -> None:
 def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
     robot, motion = machine_in_motion(10)
     wanted = ss.force_error_bounds(robot, motion)
-    prepare = force_error_bounds.function("exact", "bounds_prepare", "_bounds", "double")
+    prepare = function("exact", "bounds_prepare", "_bounds")
     model = prepared_model(prepare, robot, "exact_bounds", "double")
-    call = library("exact_bounds").stewart_exact_forces_bounded
+    call = function("exact", "forces_bounded", "_bounds")
     numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
     F, bound, rcond = np.zeros(6), np.zeros(6), np.zeros(1)
     null = ctypes.c_void_p(None)
@@ -183,7 +183,7 @@ def test_forces_are_those_of_the_kernel_and_within_their_bound(precision: Any) -
         robot, motion, sine = drawn(rng, precision)
         found = ss.force_error_bounds(robot, motion, precision, on_singular="nan")
         kernel = ss.ForceKernel(robot, precision=precision)
-        assert found.status == kernel.status(motion)
+        assert found.status == kernel.forces_and_status(motion)[1]
         if found.status != OK:
             assert found.status == JOINT_SINGULAR
             assert sine < 2 * LEAST * np.finfo(DTYPE[precision]).eps

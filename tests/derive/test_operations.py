@@ -9,8 +9,8 @@ from counting_c import REPORT, counted
 from machines import random_motion, random_robot, random_robot_of
 from sweeps import FULL
 
-from stewart_sym.backend.calls import c_sources
 from stewart_sym.backend.kernel import module
+from stewart_sym.calls.c_kernel import c_sources
 from stewart_sym.derive.generated_files import reduced_forces
 from stewart_sym.derive.kernel.operations import force_operations
 from stewart_sym.derive.mechanics.formulation import EXACT, EXACT_DRIVE, PAPER

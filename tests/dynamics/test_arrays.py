@@ -84,7 +84,7 @@ def test_statuses_on_arrays_are_those_of_the_c_and_numbers_are_nan_there() -> No
     t[1] = robot.b[2] - motion.R[1] @ robot.p[2]
     given = fields(motion) | {"t": t}
     found = ss.ArrayKernel(robot, np).forces(**given)
-    codes = ss.ForceKernel(robot).status(ss.Motion._unchecked(**given))
+    codes = ss.ForceKernel(robot).forces_and_status(ss.Motion._unchecked(**given))[1]
     np.testing.assert_array_equal(found.status, codes)
     assert list(codes) == [1, 2, 0]
     np.testing.assert_array_equal(np.isnan(found.F).all(axis=-1), codes != 0)

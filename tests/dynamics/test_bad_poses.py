@@ -17,10 +17,12 @@ from unsolvable_poses import BACKENDS, CASES, at_rest, semiregular
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.calls import CKernel, NumpyKernel
-from stewart_sym.dynamics import forces
-from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.calls import threads as on_threads
+from stewart_sym.calls.c_kernel import CKernel
+from stewart_sym.calls.numpy_kernel import NumpyKernel
+from stewart_sym.dynamics.forward_dynamics import closed_form_of
 from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
+from stewart_sym.studies.robustness.oracle import CLOSED
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -81,12 +83,13 @@ def test_a_leg_of_length_zero_is_seen_wherever_the_base_stands(backend, base_joi
 
 
 def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
-    from stewart_sym.backend import calls, native
+    from stewart_sym.backend import native
+    from stewart_sym.calls import c_kernel
     from stewart_sym.dynamics import inverse_dynamics
 
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(native, "find_compiler", lambda: None)
-    calls.library.cache_clear()
+    c_kernel.library.cache_clear()
     inverse_dynamics._say_once.cache_clear()
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
     with pytest.warns(RuntimeWarning, match="NumPy kernels are used"):
@@ -95,7 +98,7 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
         second = ss.inverse_dynamics(robot, motion).F
     assert (first == second).all()
     assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()
-    calls.library.cache_clear()
+    c_kernel.library.cache_clear()
 
 
 POSES = 1003
@@ -168,7 +171,7 @@ def check(run: Callable[[ss.Motion], tuple[dict[str, Any], NDArray[np.int32]]], 
 def test_forces_of_sound_poses_keep_every_bit(
     precision: Any, threads: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 100)
+    monkeypatch.setattr(on_threads, "MIN_POSES_PER_THREAD", 100)
     kernel = ss.ForceKernel(ROBOT, precision=precision)
 
     def run(motion: ss.Motion) -> tuple[dict[str, Any], NDArray[np.int32]]:
@@ -184,24 +187,27 @@ def test_forces_of_sound_poses_keep_every_bit(
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 def test_every_output_of_sound_poses_keeps_every_bit(kind: Any, formulation: str) -> None:
     kernel = kind(ROBOT, formulation)
-    for compute in (kernel.forces, lambda motion: kernel.reactions(motion, np.full(6, 0.1))):
+    for output, *given in (("inverse_dynamics",), ("joint_reactions", np.full(6, 0.1))):
 
-        def run(motion: ss.Motion, compute: Any = compute) -> tuple[dict[str, Any], NDArray[np.int32]]:
+        def run(
+            motion: ss.Motion, output: str = output, given: Any = given
+        ) -> tuple[dict[str, Any], NDArray[np.int32]]:
             with np.errstate(all="ignore"):
-                found = {name: value for name, value in vars(compute(motion)).items() if value is not None}
+                found = kernel.run(output, motion, *given)
             return found, found.pop("status")
 
         check(run)
 
 
-@pytest.mark.parametrize("kind", [CClosedForm, NumpyClosedForm])
-@pytest.mark.parametrize("what", OUTPUTS)
-def test_the_closed_form_of_sound_poses_keeps_every_bit(kind: Any, what: Any) -> None:
-    kernel = kind(ROBOT)
-    F = np.random.default_rng(72).normal(size=(POSES, 6)) if what in FORCED else None
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("what", CLOSED)
+def test_the_closed_form_of_sound_poses_keeps_every_bit(backend: str, what: str) -> None:
+    kernel = closed_form_of(ROBOT, "exact", backend)
+    assert kernel is not None
+    F = [np.random.default_rng(72).normal(size=(POSES, 6))] if what in FORCED else []
 
     # Not all functions read accelerations or loads, or solve with H.
-    clean, spoilt = (dict(kernel.run(what, motion, F)) for motion in (SOUND, POISONED))
+    clean, spoilt = (dict(kernel.run(what, motion, *F)) for motion in (SOUND, POISONED))
     none, status = clean.pop("status"), spoilt.pop("status")
     assert not none.any()
     assert not status[GOOD].any()
@@ -240,7 +246,7 @@ def hammered(calls: list[Callable[[], bytes]], threads: int = 6, rounds: int = 1
 def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(forces, "MIN_POSES_PER_THREAD", 50)
+    monkeypatch.setattr(on_threads, "MIN_POSES_PER_THREAD", 50)
     kernels = [
         ss.ForceKernel(robot, precision=precision)
         for robot in (ROBOT, dasgupta())

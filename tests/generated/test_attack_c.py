@@ -15,8 +15,8 @@ from machines import dasgupta
 from sweeps import FULL, share, slow_but
 
 from stewart_sym import results
-from stewart_sym.backend.calls import address, library
 from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.calls.c_kernel import address, library
 
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 MEMORY = ["-fsanitize=memory", "-fno-sanitize-recover=all"]

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.calls import address
 from stewart_sym.backend.kernel import MOTION, operations_per_pose
+from stewart_sym.calls.c_kernel import address
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts

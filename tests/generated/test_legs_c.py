@@ -12,7 +12,7 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.kinematics import inverse_kinematics
 
-MANY = inverse_kinematics.BLOCK + 3
+MANY = 2 * inverse_kinematics.MANY + 3
 ERROR = 64 * np.finfo(np.float64).eps
 
 

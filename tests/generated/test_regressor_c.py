@@ -15,8 +15,8 @@ from machines import dasgupta, home_position, machine_in_motion, machine_size
 from mpmath import mp
 
 import stewart_sym as ss
-from stewart_sym.backend.calls import address, library
 from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.calls.c_kernel import address, library
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, OK, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot

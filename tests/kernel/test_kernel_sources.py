@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from sweeps import FULL, slow_but
 
-from stewart_sym.backend import calls, kernel, native
+from stewart_sym.backend import kernel, native
 from stewart_sym.backend.kernel import digests, generated_text
+from stewart_sym.calls import c_kernel
 from stewart_sym.derive.on_demand import ON_DEMAND, kernel_files
 
 SHORT = "stewart_exact_massless_static_forces"
@@ -74,7 +75,7 @@ def test_without_a_cache_folder_a_kernel_is_derived(cache: Path) -> None:
 def test_without_a_compiler_one_line_names_it(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(native, "find_compiler", lambda: None)
     with pytest.raises(native.CompilerError, match=r"^no C compiler found; install gcc or clang, .*$"):
-        calls.library.__wrapped__("exact_massless_static_forces")
+        c_kernel.library.__wrapped__("exact_massless_static_forces")
 
 
 def test_a_text_with_another_digest_is_rejected(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -17,7 +17,7 @@ from machines import dasgupta, machine_in_motion, random_motion, random_robot_of
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.backend.calls import loaded
+from stewart_sym.calls.numpy_kernel import loaded
 from stewart_sym.derive.generated_files import reduced_fidelity, reduced_forces
 from stewart_sym.derive.kernel.outputs import program
 from stewart_sym.derive.mechanics import quantities as n

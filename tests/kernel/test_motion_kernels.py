@@ -12,11 +12,14 @@ from machines import dasgupta, machine_in_motion, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.calls.c_kernel import CKernel
+from stewart_sym.dynamics.forward_dynamics import ForwardDynamics, closed_form_of
+from stewart_sym.generated.interface import OUTPUTS
 from stewart_sym.kit.interpreter import KitInterpreter
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import JOINT_SINGULAR, MASS_MATRIX_INDEFINITE, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.robustness.oracle import CLOSED
 
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps
@@ -31,10 +34,12 @@ def check_bits(robot: Robot, motion: Motion) -> set[int]:
     """Every output of C and of NumPy, and the statuses, are the same numbers; the statuses."""
     F = ss.ForceKernel(robot).forces_and_status(motion)[0]
     F = np.where(np.isfinite(F), F, 1.0)
-    of_c, of_numpy = CClosedForm(robot), NumpyClosedForm(robot)
+    of_c, of_numpy = (closed_form_of(robot, "exact", backend) for backend in ("c", "numpy"))
+    assert of_c is not None
+    assert of_numpy is not None
     seen = set()
-    for what in OUTPUTS:
-        expected, found = (kind.run(what, motion, F if what in FORCED else None) for kind in (of_c, of_numpy))
+    for what in CLOSED:
+        expected, found = (kind.run(what, motion, *[F][: what in FORCED]) for kind in (of_c, of_numpy))
         for name in ("status", *OUTPUTS[what]):
             np.testing.assert_array_equal(found[name], expected[name], f"{what}: {name}")
         seen |= set(expected["status"].ravel().tolist())
@@ -89,7 +94,7 @@ def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, Array]]:
 @pytest.mark.parametrize("seed", range(2))
 def test_equations_agree_with_50_digits_to_rounding(seed: int) -> None:
     robot, motion, true = at_50_digits(seed)
-    found = CClosedForm(robot).run("equations", motion)
+    found = CKernel(robot, "exact", "_motion").run("equations", motion)
     for name in ("M", "C", "g", "friction", "H", "H_dot"):
         expected = true[name].reshape(found[name].shape)
         scale = max(np.abs(expected).max(), 1e-12)
@@ -113,13 +118,14 @@ def test_inertias_of_no_body_have_a_status_of_their_own(backend: str) -> None:
     impossible = dataclasses.replace(robot, I_p=heavy)
     motion = random_motion(rng, robot)
     rejects("not positive definite", ss.forward_dynamics, impossible, motion, np.zeros(6), backend=backend)
-    kernel = {"c": CClosedForm, "numpy": NumpyClosedForm}[backend](impossible)
+    kernel = closed_form_of(impossible, "exact", backend)
+    assert kernel is not None
     assert kernel.run("forward_dynamics", motion, np.zeros(6))["status"] == MASS_MATRIX_INDEFINITE
 
 
 def test_one_state_gives_what_the_batch_gives() -> None:
     robot, motion = machine_in_motion(13)
     F = forces(robot, motion)
-    acceleration, status = CClosedForm(robot).one_state()(motion, F)
+    acceleration, status = ForwardDynamics(robot).one_state()(motion, F)
     assert status == OK
     np.testing.assert_array_equal(acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))

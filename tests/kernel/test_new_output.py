@@ -10,9 +10,10 @@ from machines import random_motion, random_robot
 from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend import calls, kernel, native
-from stewart_sym.backend.calls import address
+from stewart_sym.backend import kernel, native
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.calls import c_kernel
+from stewart_sym.calls.c_kernel import address
 from stewart_sym.derive import generated_files as generation
 from stewart_sym.derive.kernel import interface, outputs
 from stewart_sym.derive.kernel.prepare import result
@@ -64,7 +65,7 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     assert LEVEL.meaning in files["fidelities.py"]
 
     sources = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
-    library = native.load(name, calls.c_sources("exact") | sources, ("-O0",))
+    library = native.load(name, c_kernel.c_sources("exact") | sources, ("-O0",))
     rng = np.random.default_rng(3)
     robot = as_simple_as(random_robot(rng), LEVEL)
     motion = random_motion(rng, robot)

@@ -14,7 +14,8 @@ import pytest
 from kits import COMPILERS, STRICT, c_of, few_vectors, kit_of, machine, proves_itself
 from sweeps import FULL
 
-from stewart_sym.backend import calls, kernel, native
+from stewart_sym.backend import kernel, native
+from stewart_sym.calls import c_kernel
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
 from stewart_sym.kit.required_kernels import parts
@@ -95,7 +96,7 @@ def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_kernel_files_are_the_committed_ones(formulation: str) -> None:
     files = parts(machine("random"), Choice(("forces", "reactions"), formulation)).files
-    committed = [calls.c_sources(name) for name in (formulation, f"{formulation}_forces", "rotation")]
+    committed = [c_kernel.c_sources(name) for name in (formulation, f"{formulation}_forces", "rotation")]
     assert files == dict(item for each in committed for item in each.items())
 
 

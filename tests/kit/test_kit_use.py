@@ -15,7 +15,8 @@ import pytest
 from kits import c_of, few_vectors, kit_of
 
 import stewart_sym as ss
-from stewart_sym.backend import calls, kernel, native
+from stewart_sym.backend import kernel, native
+from stewart_sym.calls import c_kernel
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.text_format import robot_symbol
 from stewart_sym.dynamics.home_pose import home_pose
@@ -98,10 +99,10 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     robot = machines.dasgupta()
     at = sample(robot, "exact")
     motion = np.concatenate([np.ravel(getattr(at, name)) for name in kernel.MOTION])
-    compiled, whole = calls.library("exact_motion"), calls.library("exact")
+    compiled, whole = c_kernel.library("exact_motion"), c_kernel.library("exact")
     constants = kernel.robot_numbers(robot)
     model = np.zeros(4096)
-    assert compiled.stewart_exact_prepare(calls.address(constants), calls.address(model)) == 0
+    assert compiled.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0
     functions = {
         "stewart_exact_forces": (model, 6),
         "stewart_exact_bias_and_friction": (model, 6),
@@ -112,15 +113,15 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     for name, (first, count) in functions.items():
         call = getattr(whole if first is constants else compiled, name)
         apart = np.zeros(count)
-        assert call(calls.address(first), calls.address(motion), calls.address(apart)) == 0
+        assert call(c_kernel.address(first), c_kernel.address(motion), c_kernel.address(apart)) == 0
         for offset in (0, 5, 9, 24):
             both = np.concatenate([motion, np.zeros(count)])
             out = both[offset : offset + count]
-            assert call(calls.address(first), calls.address(both), calls.address(out)) == 0
+            assert call(c_kernel.address(first), c_kernel.address(both), c_kernel.address(out)) == 0
             np.testing.assert_array_equal(out, apart, err_msg=f"{name} at {offset}")
     force = apart[:6].copy()
-    assert compiled.stewart_exact_forward_dynamics(*map(calls.address, (model, motion, force, apart))) == 0
-    assert compiled.stewart_exact_forward_dynamics(*map(calls.address, (model, motion, force, force))) == 0
+    assert compiled.stewart_exact_forward_dynamics(*map(c_kernel.address, (model, motion, force, apart))) == 0
+    assert compiled.stewart_exact_forward_dynamics(*map(c_kernel.address, (model, motion, force, force))) == 0
     np.testing.assert_array_equal(force, apart[:6])
 
 
@@ -130,10 +131,10 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
 def oriented(function: str, *given: np.ndarray, precision: type = np.float64) -> tuple[int, np.ndarray]:
     """Status, and a motion that was all ones before."""
     flags = ["-DSTEWART_FLOAT"] if precision is np.float32 else []
-    library = native.load("stewart_rotation", calls.c_sources("rotation"), flags)
+    library = native.load("stewart_rotation", c_kernel.c_sources("rotation"), flags)
     motion = np.ones(30, dtype=precision)
     arrays = [np.ascontiguousarray(each, dtype=precision) for each in given]
-    return getattr(library, function)(*map(calls.address, (*arrays, motion))), motion
+    return getattr(library, function)(*map(c_kernel.address, (*arrays, motion))), motion
 
 
 def expected(motion: Motion) -> np.ndarray:
@@ -245,11 +246,11 @@ def test_kits_without_fused_multiply_add_have_the_bits_of_numpy(flags: str, tmp_
         subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
     library, robot, count = ctypes.CDLL(str(tmp_path / "kit.so")), machines.dasgupta(), 500
     motion = machines.random_motion(np.random.default_rng(46), robot, (count,))
-    numbers = calls.prepared_model(library.stewart_exact_prepare, robot, "exact", "double")
+    numbers = c_kernel.prepared_model(library.stewart_exact_prepare, robot, "exact", "double")
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in kernel.MOTION]
     F = np.empty((count, 6))
-    of_poses = ctypes.byref(calls.pointers(arrays))
-    address = calls.address
+    of_poses = ctypes.byref(c_kernel.pointers(arrays))
+    address = c_kernel.address
     given = (address(numbers), ctypes.c_size_t(count), of_poses, address(F), None)
     assert library.stewart_exact_forces_batch(*given) == 0
     fields = dict(zip(kernel.MOTION, arrays, strict=True))

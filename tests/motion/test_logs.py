@@ -15,7 +15,7 @@ from motion_fields import motion_of
 from plain_logs import read_log, read_poses
 
 import stewart_sym as ss
-from stewart_sym.kinematics.offset_legs import leg_lengths
+from stewart_sym.kinematics.inverse_kinematics import leg_lengths
 from stewart_sym.kinematics.robot_logs import read_log_of
 from stewart_sym.motion.log_samples import components_of, read_samples
 

@@ -15,7 +15,7 @@ from sweeps import share, sweep
 
 import stewart_sym as ss
 from stewart_sym.dynamics.home_pose import home_pose
-from stewart_sym.kinematics.offset_legs import leg_lengths
+from stewart_sym.kinematics.inverse_kinematics import leg_lengths
 from stewart_sym.motion.rotation import rotation_from_rpy
 from stewart_sym.motion.trajectory_format import UNITS
 

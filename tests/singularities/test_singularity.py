@@ -134,11 +134,11 @@ def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
             ).status
         for precision in ("double", "float"):
             kernel = ss.ForceKernel(robot, formulation=formulation, precision=precision)
-            found[f"{precision} forces {formulation}"] = kernel.status(motion)
+            found[f"{precision} forces {formulation}"] = kernel.forces_and_status(motion)[1]
     for fidelity in ("slender", "massless_static"):
         for precision in ("double", "float"):
             kernel = ss.ForceKernel(robot, precision=precision, fidelity=fidelity)
-            found[f"{precision} forces {fidelity}"] = kernel.status(motion)
+            found[f"{precision} forces {fidelity}"] = kernel.forces_and_status(motion)[1]
     found["double bounds"] = ss.force_error_bounds(robot, motion, on_singular="nan").status
     for backend in ("c", "numpy"):
         inertia = ss.joint_space_inertia(robot, motion, on_singular="nan", backend=backend)

@@ -15,8 +15,8 @@ from motion_fields import FIELDS
 from quick_compiler import compile_quickly
 from robot_files import PAPERS
 
+from stewart_sym.calls.threads import MIN_POSES_PER_THREAD
 from stewart_sym.cli.main import main
-from stewart_sym.dynamics import forces
 from stewart_sym.io.progress import silent
 from stewart_sym.reference import newton_euler
 from stewart_sym.studies.benchmark import benchmark, cases
@@ -28,7 +28,7 @@ from stewart_sym.studies.common import timing
 def shorten(patch: pytest.MonkeyPatch) -> None:
     """Samples so short that the figures mean nothing."""
     compile_quickly(patch)
-    patch.setattr(cases, "LARGE", 2 * forces.MIN_POSES_PER_THREAD)
+    patch.setattr(cases, "LARGE", 2 * MIN_POSES_PER_THREAD)
     patch.setattr(cases, "QUICK_BATCHES", (8, 64))
     patch.setattr(timing, "SHORTEST", 1e-5)
     patch.setattr(benchmark, "QUICK_ROUNDS", 3)

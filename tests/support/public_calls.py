@@ -141,7 +141,7 @@ def calls() -> dict[str, Call]:
     add(ss.import_model, path="no.xml", free=("path",))
     add(ss.ForceKernel, robot=robot, formulation="exact", precision="double", fidelity="general")
     add(ss.ForceKernel(robot).forces, motion=motion, threads=1, on_singular="raise")
-    add(ss.ForceKernel(robot).status, motion=motion, threads=1)
+    add(ss.ForceKernel(robot).forces_and_status, motion=motion, threads=1)
     add(ss.LegSprings, **springs)
     add(ss.LegSprings.in_equilibrium, robot=robot, pose=motion, stiffness=1e6, damping=1.0)
     add(ss.LegSprings(**springs).energy, L=legs.L)

@@ -27,9 +27,9 @@ def add_arguments(parser: Parser) -> None:
 
 
 def run(arguments: Arguments) -> int:
+    from ...calls.threads import CORES
     from ...derive.generated_files import generated_files
     from ...derive.on_demand import committed, differences
-    from ...dynamics.forces import CORES
 
     installed = Path(str(files("stewart_sym.generated")))
     directory = arguments.output or installed

@@ -15,7 +15,7 @@ import numpy as np
 import stewart_sym as ss
 
 from ...io.error_policy import errors_of, warn
-from ...kinematics.offset_legs import leg_lengths
+from ...kinematics.inverse_kinematics import leg_lengths
 from ...kinematics.trajectory_checks import meters_doubt
 from ...planning.path_parameterization import need_duration
 from ...planning.plan_file import PlanRequest, read_plan

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...drives.motor_states import motor_rates
-from ...dynamics.force_noise import forces_of
+from ...dynamics.forces import forces_of
 from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics
 from ...io.array_types import Array, Indices
 from ...io.toml_reader import per_leg, positive

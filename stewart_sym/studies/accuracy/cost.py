@@ -16,9 +16,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...backend.calls import loaded
 from ...backend.kernel import FORMULATIONS, MOTION, levels, operations_per_pose
-from ...dynamics.forces import CORES, ForceKernel, Precision
+from ...calls.numpy_kernel import loaded
+from ...calls.threads import CORES
+from ...dynamics.forces import ForceKernel, Precision
 from ...dynamics.inverse_dynamics import Backend, prepared_kernel
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
@@ -94,7 +95,10 @@ def cost(
     cases = {name: _Case(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
     backends = BACKENDS if implementations else {}
-    ways = {name: prepared_kernel(robot, "exact", backend).forces for name, backend in backends.items()}
+    ways = {
+        name: functools.partial(prepared_kernel(robot, "exact", backend).run, "inverse_dynamics")
+        for name, backend in backends.items()
+    }
     errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
     # Candidates with the same equations, which share the reference solution, are adjacent.
     by_model = [[*each] for _, each in itertools.groupby(kernels, lambda candidate: candidate[:2])]
@@ -193,7 +197,7 @@ class _Case:
     def rounding_of(self, forces: Callable[[Motion], Any]) -> float:
         """Compute the rounding error of another implementation of `exact` general."""
         motion = self.motion[self.sample]
-        off = deviation(forces(motion).F, Truth(self.robot).forces(motion))
+        off = deviation(forces(motion)["F"], Truth(self.robot).forces(motion))
         return float(_or_infinite(off).max()) / self.peak
 
 

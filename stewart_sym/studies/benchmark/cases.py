@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from ...backend import kernel
-from ...backend.calls import function
+from ...calls.c_kernel import function
+from ...calls.threads import CORES
 from ...dynamics import equations
-from ...dynamics.forces import CORES, ForceKernel
-from ...dynamics.inverse_dynamics import Formulation, inverse_dynamics, prepared_kernel
+from ...dynamics.forces import ForceKernel
+from ...dynamics.inverse_dynamics import DynamicsKernel, Formulation, inverse_dynamics, prepared_kernel
 from ...exchange.model_from_robot import robot_of_bodies
 from ...io.array_types import Array
 from ...io.error_policy import warn
@@ -160,7 +161,7 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
     alone, every = (int(sum(each["friction"]["total"])) for each in counts)
     forces, outputs = function(NAME, "forces", "_forces"), function(NAME, "inverse_dynamics")
     prepared = ForceKernel(robot, NAME)
-    calls = {name: prepared_kernel(robot, NAME, name).forces for name in ("numpy", "reference")}
+    numpy, vectors = (prepared_kernel(robot, NAME, name) for name in ("numpy", "reference"))
     # The structure of all outputs has 78 numbers and begins with F.
     rows: tuple[tuple[str, str, Timed, int | None], ...] = (
         ("one pose", _ALONE, loop(few.rows, forces, prepared.model), alone),
@@ -169,8 +170,8 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
         ("batch, float", _ALONE, batch(large.arrays, ForceKernel(robot, NAME, "float")), alone),
         ("batch, columns", _ALONE, _columns(large), alone),
         ("every output", "C, D K H c x F", loop(few.rows, outputs, kernel.robot_numbers(robot), 78), every),
-        ("NumPy kernel", "vectorized", _whole(calls["numpy"], slow), every),
-        ("vector reference", "NumPy, base frame", _whole(calls["reference"], slow), None),
+        ("NumPy kernel", "vectorized", _whole(numpy, slow), every),
+        ("vector reference", "NumPy, base frame", _whole(vectors, slow), None),
     )
     for name, what, timed, operations in rows:
         tolerance = 1e-3 if "float" in name else AGREEMENT
@@ -197,10 +198,10 @@ def _in_columns(array: Array) -> Array:
     return rows
 
 
-def _whole(forces: Callable[..., Any], poses: Poses) -> Timed:
-    """Time a function that computes the forces of a motion."""
-    run = over(lambda: forces(poses.motion))
-    return Task(run, len(poses)), lambda: np.asarray(forces(poses.motion).F)
+def _whole(prepared: DynamicsKernel, poses: Poses) -> Timed:
+    """Time the inverse dynamics of a motion."""
+    run = over(lambda: prepared.run("inverse_dynamics", poses.motion))
+    return Task(run, len(poses)), lambda: np.asarray(prepared.run("inverse_dynamics", poses.motion)["F"])
 
 
 def _equations(poses: Poses) -> Iterator[Case]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import native
-from ...backend.calls import address
+from ...calls.c_kernel import address
 from ...dynamics.forces import ForceKernel
 from ...io.progress import Progress
 

@@ -13,7 +13,7 @@ from ...design.pose_limits import INSIDE, REASONS, PoseExaminer, PoseLimits, at_
 from ...design.workspace import WorkspaceResult
 from ...io.array_types import Array
 from ...io.progress import Progress, tracked
-from ...kinematics.offset_legs import leg_lengths
+from ...kinematics.inverse_kinematics import leg_lengths
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
 from ...robot.units import Units

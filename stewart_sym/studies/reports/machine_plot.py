@@ -4,8 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from ...dynamics.home_pose import HomePose, radius
+from ...dynamics.home_pose import HomePose
 from ...io.array_types import Array
+from ...kinematics.mounting_side import radius
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot

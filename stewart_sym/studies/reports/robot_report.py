@@ -7,10 +7,10 @@ import numpy as np
 
 from ...design.axis_travel import axis_travel
 from ...drives.limits import MOTOR_LIMITS
-from ...dynamics.home_pose import HomePose, home_pose, radius
+from ...dynamics.home_pose import HomePose, home_pose
 from ...io.array_types import Array
 from ...kinematics.conditioning import characteristic_length
-from ...kinematics.mounting_side import DECISIVE, AssemblyModeWarning
+from ...kinematics.mounting_side import DECISIVE, AssemblyModeWarning, radius
 from ...results import STATUS_TEXT
 from ...robot.robot import Robot
 from ...robot.units import Units, vector_text

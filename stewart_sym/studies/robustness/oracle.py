@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import native
-from ...backend.calls import address, c_sources, loaded
 from ...backend.kernel import robot_numbers
-from ...dynamics import closed_form
-from ...generated.interface import STRUCTS
+from ...calls.c_kernel import address, c_sources
+from ...calls.numpy_kernel import loaded
+from ...generated.interface import OUTPUTS, STRUCTS
 from ...io.array_types import Array, Codes
 from ...motion.motion import Motion
 from ...results import OK, SINGULAR
@@ -27,7 +27,10 @@ from ...robot.robot import Robot
 
 FORCES = ("one_pose", "batch", "every_output")
 """Kernels of the actuator forces."""
-CLOSED = tuple(closed_form.OUTPUTS)
+CLOSED = (
+    *("equations", "bias_and_friction", "forward_dynamics"),
+    *("joint_inertia", "derivatives", "linearization"),
+)
 """Kernels of the closed form."""
 GOOD = {"double": 1e12, "float": 1e3}
 """Condition number below which a pose must have a result."""
@@ -46,7 +49,8 @@ _FLAGS = {
     "float": ("-DSTEWART_FLOAT",),
     "wide": ("-O1", "-include", "float.h", "-include", "math.h", *_MACROS),
 }
-_SHAPES = {name: {"F": (6,)} for name in FORCES[:2]} | {_TRUTH: STRUCTS["forces"], **closed_form.OUTPUTS}
+_SHAPES = {name: {"F": (6,)} for name in FORCES[:2]} | {_TRUTH: STRUCTS["forces"]}
+_SHAPES |= {name: OUTPUTS[name] for name in CLOSED}
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
     **dict.fromkeys(("g", "friction", "bias", "bias_and_friction", "H", "H_dot"), (-1, 0)),

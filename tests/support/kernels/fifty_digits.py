@@ -8,8 +8,8 @@ import numpy as np
 from mpmath import mp
 from numpy.typing import NDArray
 
-from stewart_sym.backend.calls import loaded
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.calls.numpy_kernel import loaded
 from stewart_sym.derive.mechanics.actuator_forces import ForceKernel
 from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.derive.mechanics.inverse_dynamics import kernel

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.backend.calls import address, c_sources
 from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.calls.c_kernel import address, c_sources
 
 Array = NDArray[np.float64]
 AnyArray = NDArray[np.floating]

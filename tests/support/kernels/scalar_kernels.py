@@ -11,8 +11,8 @@ from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
 from stewart_sym.backend import native
-from stewart_sym.backend.calls import loaded
 from stewart_sym.backend.kernel import resolve_level, robot_numbers
+from stewart_sym.calls.numpy_kernel import loaded
 from stewart_sym.kit import Choice
 from stewart_sym.kit.required_kernels import parts
 from stewart_sym.motion.motion import Motion

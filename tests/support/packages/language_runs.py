@@ -18,9 +18,9 @@ from kinematics_calls import library
 from machines import random_motion
 
 import stewart_sym as ss
-from stewart_sym.backend import calls
-from stewart_sym.backend.calls import address
 from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.calls import c_kernel
+from stewart_sym.calls.c_kernel import address
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.kernel.outputs import FORCED, OUTPUTS
 from stewart_sym.generated.interface import MODELS
@@ -65,7 +65,7 @@ def sound() -> dict[str, Array]:
 def of_c(function: str, rows: Array) -> Array:
     """Statuses by the C, which writes nothing where they are not OK."""
     numbers, model = robot_numbers(machine()), np.zeros(MODELS["exact"])
-    dynamics = calls.library("exact_motion")
+    dynamics = c_kernel.library("exact_motion")
     assert dynamics.stewart_exact_prepare(address(numbers), address(model)) == OK
     of_robot = function in OF_ROBOT
     call = getattr(

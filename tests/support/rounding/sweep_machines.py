@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import MOTION, robot_numbers
-from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
+from stewart_sym.dynamics.forward_dynamics import closed_form_of
+from stewart_sym.generated.interface import OUTPUTS
 from stewart_sym.precision.exact_forces import Truth, digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness.failures import random_cases
-from stewart_sym.studies.robustness.oracle import Cases
+from stewart_sym.studies.robustness.oracle import CLOSED, Cases
 
 Array = NDArray[np.float64]
 
@@ -143,10 +144,12 @@ def joined(motions: list[ss.Motion]) -> ss.Motion:
 
 def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, tuple[Array, int]]:
     """Numbers of each NumPy kernel, one output after the other, and its status."""
-    closed, found = NumpyClosedForm(robot), {}
-    for what, names in OUTPUTS.items():
-        result = closed.run(what, motion, F if what in ("forward_dynamics", "linearization") else None)
-        found[what] = np.concatenate([np.ravel(result[name]) for name in names]), int(result["status"])
+    closed, found = closed_form_of(robot, "exact", "numpy"), {}
+    assert closed is not None
+    for what in CLOSED:
+        result = closed.run(what, motion, *[F][: what in ("forward_dynamics", "linearization")])
+        numbers = [np.ravel(result[name]) for name in OUTPUTS[what]]
+        found[what] = np.concatenate(numbers), int(result["status"])
     return found
 
 

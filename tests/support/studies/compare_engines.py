@@ -29,8 +29,9 @@ import numpy as np
 import pinocchio as pin
 from benchmark_tables import CLOSED, PASSES, PLAIN
 
-from stewart_sym.backend import calls, kernel, native
-from stewart_sym.backend.calls import loaded
+from stewart_sym.backend import kernel, native
+from stewart_sym.calls import c_kernel
+from stewart_sym.calls.numpy_kernel import loaded
 from stewart_sym.derive.passes import passes
 from stewart_sym.exchange.model_from_robot import robot_of_bodies
 from stewart_sym.io.array_types import Array
@@ -105,7 +106,7 @@ def casadi_cases(few: Poses, truth: Array) -> Iterator[Case]:
 
 def pass_cases(poses: Poses, truth: Array) -> Iterator[Case]:
     """Yield the kernel after every pass of the derivation, for one pose and for a batch."""
-    numbers, few, address = kernel.robot_numbers(poses.robot), poses.resized(FEW), calls.address
+    numbers, few, address = kernel.robot_numbers(poses.robot), poses.resized(FEW), c_kernel.address
     for number, made in enumerate(passes(), 1):
         library = native.load(f"bench_pass_{number}", made.sources)
         one, batch, prepare = (
@@ -124,7 +125,7 @@ def pass_cases(poses: Poses, truth: Array) -> Iterator[Case]:
 def _c_batch(function: Any, model: Array, poses: Poses) -> Timed:
     """Time a batch function in C."""
     F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-    size, motions, address = ctypes.c_size_t(len(poses)), calls.pointers(poses.arrays), calls.address
+    size, motions, address = ctypes.c_size_t(len(poses)), c_kernel.pointers(poses.arrays), c_kernel.address
     # The addresses are computed in each call, because a pointer does not keep its array alive.
     run = over(lambda: function(address(model), size, motions, address(F), address(status)))
     return Task(run, len(poses)), lambda: F
