@@ -21,7 +21,6 @@ BETWEEN = ", joint "
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
-_SAME = 1e-9
 _SHORT = 1e-12
 
 
@@ -171,8 +170,6 @@ class Model:
         Contents of the file that a model cannot represent.
     assumed : mapping
         Assumptions, by the name of the body, or by another key for the whole file.
-    unstated : tuple of str
-        Fields of a robot that the format cannot represent.
     """
 
     name: str
@@ -182,7 +179,6 @@ class Model:
     note: Mapping[str, Any] | None = None
     left_out: tuple[str, ...] = ()
     assumed: Mapping[str, str] = field(default_factory=dict)
-    unstated: tuple[str, ...] = ()
 
     def body(self, name: str) -> Body:
         """Return the body with a name; raise ValueError if there is none."""
@@ -255,13 +251,3 @@ def frame_along(axis: Array) -> Array:
     x = rotation.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
     return np.stack([x, rotation.cross(z, x), z], axis=-1)
-
-
-def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
-    """Convert orientation and position from a frame with the pose ``outer`` to the world frame."""
-    return outer[0] @ R, outer[1] + outer[0] @ t
-
-
-def same_frame(one: Array, other: Array) -> bool:
-    """Return True if two frames are equal up to rounding."""
-    return bool(np.abs(one - other).max() < _SAME)

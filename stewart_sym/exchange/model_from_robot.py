@@ -7,13 +7,15 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.error_policy import warn
+from ..motion.motion import at_rest
 from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
+from ..robot.offset_chains import chains
 from ..robot.offset_positions import Chains
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot, RobotWarning, impossible_inertias, inertia_fault
 from .model import WORLD, Body, Joint, Model, Shape, frame_along
-from .offset_legs import base_joints, chains_at, cross_of
 
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
@@ -24,6 +26,8 @@ _PART = 0.55
 _REACH = 1.4
 SLIDES = tuple(f"leg_{i}" for i in range(1, LEGS + 1))
 """Names of the actuated joints, by which notes are assigned to legs."""
+_LEAST = 1e-9
+"""Mass and inertia of a massless cross relative to the lower part, because simulators require some."""
 _FAULTY, _THIN = 1e-2, 1e-6
 """Smallest ratio of second moments, for impossible bodies and for bodies without thickness."""
 
@@ -37,7 +41,7 @@ def model_of(robot: Robot) -> Model:
         If a leg is parallel to its fixed axis in this pose, or if its joint offsets cannot reach the pose.
     """
     t = level_home(robot)
-    at = None if robot.offsets is None else chains_at(robot, t)
+    at = None if robot.offsets is None else _chains_at(robot, t)
     S = t + robot.p - robot.b
     L = np.linalg.norm(S, axis=-1) if at is None else at.L[:, 0]
     frames = _leg_frames(robot, S / L[:, None]) if at is None else at.U
@@ -47,9 +51,9 @@ def model_of(robot: Robot) -> Model:
         lower, upper = _parts(robot, i, frame, float(length), at)
         base, actuator = _leg_joints(robot, i, frame, float(length))
         if at is not None and robot.offsets is not None:
-            bodies.append(cross_of(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
+            bodies.append(_cross(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
         bodies += [lower, upper]
-        joints += [*([base] if at is None else base_joints(robot, i, at)), actuator]
+        joints += [*([base] if at is None else _base_joints(robot, i, at)), actuator]
     shapes = _plate(robot.p, float(L.mean()))
     bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
     joints.append(Joint("free", "free", WORLD, "platform"))
@@ -150,6 +154,44 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
         driven=True,
     )
     return base, actuator
+
+
+def _chains_at(robot: Robot, t: Array) -> Chains:
+    """Return the leg chains with the platform at rest at t, (3,); raise ValueError out of reach."""
+    with np.errstate(all="ignore"):
+        at = chains(robot, at_rest(np.eye(3), t))
+    lost = [i for i in range(LEGS) if not np.isfinite(at.U[i]).all()]
+    if lost:
+        raise ValueError(f"{legs_text(lost)}: expected a home pose that their offsets reach, got none")
+    return at
+
+
+def _cross(robot: Robot, offsets: JointOffsets, i: int, at: Chains, radius: float) -> Body:
+    """Return the body between both axes of leg i, with the frame o, y, k at the base point.
+
+    It rotates about k only, so its inertia about k is used for all axes. A massless body gets a billionth of
+    the mass of the lower part on the axis.
+    """
+    frame = np.stack([at.o[i], at.y[i], robot.k[i]], axis=-1)
+    mass, inertia = float(offsets.cross_mass[i]), float(offsets.cross_inertia[i])
+    reach = np.array([float(offsets.axis_offset[i]), 0.0, 0.0])
+    return Body(
+        f"cross_{i + 1}",
+        frame,
+        robot.b[i],
+        mass or _LEAST * float(robot.m_d[i]),
+        offsets.cross_center[i] if mass else np.zeros(3),
+        (inertia or _LEAST * float(np.trace(robot.I_d0[i]))) * np.eye(3),
+        (Shape(radius, np.zeros(3), reach),),
+    )
+
+
+def _base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
+    """Create the joints of a leg with offsets about the fixed axis and about the moving axis."""
+    cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
+    first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
+    second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
+    return first, second
 
 
 def _plate(points: Array, length: float) -> tuple[Shape, ...]:

@@ -7,7 +7,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..motion.rotation import cross
 from .model import Joint
-from .topology import Leg, Machine, Step
+from .topology import Machine, Step
 
 _SINGULAR = 1e8
 """Condition number (m and rad) of a pose in which the forces are not determined."""
@@ -16,22 +16,28 @@ _SINGULAR = 1e8
 def slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bool = False) -> Array:
     """Compute the forces at rest in the pose of the file, along the slides from base to platform (N), (6,).
 
-    A leg between two spherical joints does not rotate about its own line. With ``loaded``, the loads of the
-    joints act, too. Raises LinAlgError in a singular pose.
+    With ``loaded``, the loads of the joints act, too. Raises LinAlgError in a singular pose.
     """
     platform, zero = machine.bodies[machine.platform], np.zeros(3)
     work = _wrench(platform.mass * g, zero, platform.placed(platform.center))
     rates = []
     for leg in machine.legs:
-        relative, rate = _leg_motion(machine, leg)
-        rates.append(rate)
-        twists = np.cumsum(relative, axis=0)
-        for step, twist, own in zip((*leg.base, leg.slide, *leg.tip), twists, relative, strict=True):
+        steps = (*leg.base, leg.slide, *leg.tip)
+        each = [_twists(machine, step) for step in steps]
+        columns = np.hstack(each)
+        if np.linalg.cond(columns) > _SINGULAR:
+            raise np.linalg.LinAlgError("singular pose")
+        # Rates of the joints per twist of the platform; the spin of a leg between spherical joints is free.
+        split = np.split(np.linalg.pinv(columns), np.cumsum([len(twists.T) for twists in each])[:-1])
+        rates.append(split[len(leg.base)][0])
+        twist = np.zeros((6, 6))
+        for step, twists, rate in zip(steps, each, split, strict=True):
+            twist = twist + twists @ rate
             body = machine.bodies[step.reached]
             if step.reached != machine.platform:
                 work += _wrench(body.mass * g, zero, body.placed(body.center)) @ twist
             if loaded:
-                load = _wrench(step.joint.load[:3], step.joint.load[3:], machine.place(step)) @ own
+                load = _wrench(step.joint.load[:3], step.joint.load[3:], machine.place(step)) @ twists @ rate
                 work += load if step.forward else -load
     if loaded:
         for joint in joints:
@@ -43,26 +49,11 @@ def slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bo
     return np.asarray(np.linalg.solve(np.array(rates).T, -work), dtype=np.float64)
 
 
-def _leg_motion(machine: Machine, leg: Leg) -> tuple[Array, Array]:
-    """Return relative twists of the joints, (n, 6, 6), and the rate of the slide, (6,), per platform twist.
+def _twists(machine: Machine, step: Step) -> Array:
+    """Return the twists of a joint for unit rates, shape (6, n).
 
     A twist is the velocity of the point of a body at the origin, and the angular velocity.
     """
-    steps = (*leg.base, leg.slide, *leg.tip)
-    each = [_twists(machine, step) for step in steps]
-    columns = np.hstack(each)
-    right = np.eye(len(columns.T))[:, :6]
-    if len(columns.T) > len(columns):
-        spin = leg.slide.axes[0] @ np.hstack(each[: len(leg.base)])[3:]
-        columns = np.vstack([columns, np.append(spin, np.zeros(len(columns.T) - len(spin)))])
-    rates = np.linalg.solve(columns, right)
-    split = np.split(rates, np.cumsum([len(twists.T) for twists in each])[:-1])
-    relative = np.array([twists @ own for twists, own in zip(each, split, strict=True)])
-    return relative, split[len(leg.base)][0]
-
-
-def _twists(machine: Machine, step: Step) -> Array:
-    """Return the twists of a joint for unit rates, shape (6, n)."""
     axes = step.axes if len(step.axes) else np.eye(3)
     if step.joint.kind == "prismatic":
         return np.vstack([axes.T, np.zeros((3, 1))])

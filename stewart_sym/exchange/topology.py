@@ -100,7 +100,7 @@ def machine_of(model: Model) -> Machine:
         raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
-    held = _held(model, members, platform, around[platform])
+    held = _held(model, members, platform)
     if held != platform:
         platform, members = held, _members(model, held)
         around = _around(model, members)
@@ -131,24 +131,17 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
     return found
 
 
-def _held(model: Model, members: Mapping[str, str], platform: str, joints: Sequence[Joint]) -> str:
-    """Return the heaviest body with several legs among the members of the platform.
+def _held(model: Model, members: Mapping[str, str], platform: str) -> str:
+    """Return the member of the platform with the most connections, and among these the heaviest one.
 
-    A member with one fixed connection and at most one leg, for example a fork or a load, is not considered.
+    Connections are legs and fixed joints; forks and loads have fewer of them than the body that holds them.
     """
-    legs = {body.name: 0 for body in model.bodies if members[body.name] == platform}
-    for joint in joints:
-        legs[joint.parent if joint.parent in legs else joint.child] += 1
-    fixed: dict[str, set[str]] = {name: set() for name in legs}
+    count = {body.name: 0 for body in model.bodies if members[body.name] == platform}
     for joint in model.joints:
-        if joint.kind == "fixed" and joint.parent in legs and joint.parent != joint.child:
-            fixed[joint.parent].add(joint.child)
-            fixed[joint.child].add(joint.parent)
-    while hanging := [name for name in legs if legs[name] < 2 and len(fixed[name]) == 1]:
-        (other,) = fixed.pop(hanging[0])
-        legs[other] += legs.pop(hanging[0])
-        fixed[other].remove(hanging[0])
-    return max(legs, key=lambda name: model.body(name).mass)
+        if joint.kind != "free":
+            for end in {joint.parent, joint.child} & count.keys():
+                count[end] += 1
+    return max(count, key=lambda name: (count[name], model.body(name).mass))
 
 
 def _need_unique(model: Model) -> None:

@@ -112,7 +112,6 @@ class _Reader:
             json_table(note, f"custom: text {NOTE!r}"),
             tuple(dict.fromkeys(self.left_out)),
             assumed,
-            unstated=("C_s", "speed_limit"),
         )
 
     def _off(self, flag: str) -> bool:
