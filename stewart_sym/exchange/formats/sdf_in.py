@@ -54,9 +54,7 @@ def model(root: ET.Element) -> Model:
         for each in () if inside is None else inside:
             if each.tag == "include" or (each.tag == "model" and inside in models):
                 got = shown(each.get("name") or each.findtext("uri", "").strip())
-                raise ValueError(
-                    f"{each.tag}{at_line(each)}: expected a model in the file itself, got {got}"
-                )
+                raise ValueError(f"{each.tag}{at_line(each)}: expected a model in the file itself, got {got}")
     if len(models) != 1:
         names = ", ".join(repr(each.get("name", "")) for each in models[:LEGS]) or "none"
         raise ValueError(f"expected one model, got {len(models)}: {names}")
