@@ -40,20 +40,24 @@ def model_of(robot: Robot) -> Model:
     ValueError
         If a leg is parallel to its fixed axis in this pose, or if its joint offsets cannot reach the pose.
     """
-    t = level_home(robot)
-    at = None if robot.offsets is None else _chains_at(robot, t)
-    S = t + robot.p - robot.b
-    L = np.linalg.norm(S, axis=-1) if at is None else at.L[:, 0]
-    frames = _leg_frames(robot, S / L[:, None]) if at is None else at.U
+    t, offsets = level_home(robot), robot.offsets
+    feet, start = robot.b, np.zeros((LEGS, 3))
+    if offsets is None:
+        S = t + robot.p - robot.b
+        L = np.linalg.norm(S, axis=-1)
+        frames = _leg_frames(robot, S / L[:, None])
+    else:
+        at = _chains_at(robot, t)
+        L, frames, feet = at.L[:, 0], at.U, robot.b + at.A
+        start[:, 1:] = np.column_stack([offsets.slide_offset_y, offsets.slide_offset_z])
     bodies = [Body(WORLD, shapes=_plate(robot.b, float(L.mean())))]
     joints: list[Joint] = []
     for i, (frame, length) in enumerate(zip(frames, L, strict=True)):
-        lower, upper = _parts(robot, i, frame, float(length), at)
         base, actuator = _leg_joints(robot, i, frame, float(length))
-        if at is not None and robot.offsets is not None:
-            bodies.append(_cross(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
-        bodies += [lower, upper]
-        joints += [*([base] if at is None else _base_joints(robot, i, at)), actuator]
+        if offsets is not None:
+            bodies.append(_cross(robot, offsets, i, at, _short(_LOWER * float(length))))
+        bodies += _parts(robot, i, frame, float(length), feet[i], start[i])
+        joints += [*([base] if offsets is None else _base_joints(robot, i, at)), actuator]
     shapes = _plate(robot.p, float(L.mean()))
     bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
     joints.append(Joint("free", "free", WORLD, "platform"))
@@ -112,17 +116,14 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
     return np.stack([s, y, np.cross(s, y)], axis=-1)
 
 
-def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None) -> tuple[Body, Body]:
-    """Create the lower and the upper part of a leg."""
-    longest, start = robot.length_limits[i, 1], np.zeros(3)
+def _parts(robot: Robot, i: int, frame: Array, length: float, foot: Array, start: Array) -> tuple[Body, Body]:
+    """Create the lower and the upper part of a leg, whose sliding axis begins at ``start`` in its frame."""
+    longest = robot.length_limits[i, 1]
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
     up, down = (
         np.array([float(stated[i]) or part, 0.0, 0.0]) for stated in (robot.lower_length, robot.upper_length)
     )
-    if at is not None and robot.offsets is not None:
-        start = np.array([0.0, robot.offsets.slide_offset_y[i], robot.offsets.slide_offset_z[i]])
     shape = Shape(_short(_LOWER * length), start, start + up)
-    foot = robot.b[i] if at is None else robot.b[i] + at.A[i]
     inertia = float(robot.m_d[i]), robot.r_d0[i], robot.I_d0[i]
     lower = Body(f"lower_{i + 1}", frame, foot, *inertia, (shape,))
     shape = Shape(_short(_UPPER * length), -down, np.zeros(3))

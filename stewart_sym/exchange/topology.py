@@ -56,11 +56,11 @@ class Machine:
     placed : mapping
         All bodies of the model.
     bodies : mapping
-        Rigid bodies, each with the name and the frame of its first member.
+        Rigid bodies, each with the name and the frame of its main member.
     members : mapping
         Name of the rigid body by the name of each member.
     platform : str
-        Name of the platform; its first member is the heaviest body to which several legs are attached.
+        Name of the platform, the main body of those that are fixed together.
     legs : tuple of Leg
         Six legs.
     """
@@ -86,30 +86,17 @@ def machine_of(model: Model) -> Machine:
     _need_unique(model)
     members = _members(model)
     around = _around(model, members)
-    for joint in model.joints:
-        if joint.kind == "free" and WORLD not in (members[joint.parent], members[joint.child]):
-            got = f"one between {joint.parent!r} and {joint.child!r}"
-            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     if not around.get(WORLD):
-        free = [joint.child for joint in model.joints if joint.kind == "free"]
-        if hubs := [repr(name) for name, joints in around.items() if len(joints) >= LEGS]:
-            finding = "world: expected a fixed joint to the base, got none"
-            raise ValueError(f"{finding}; add a fixed joint from the world to {' or '.join(hubs)}")
-        got = "no joint to the world; fix the base to it" if model.joints else "no moving joints"
-        got = f"body {free[0]!r}, which is free" if free else got
-        raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
+        hubs = [repr(name) for name, joints in around.items() if len(joints) >= LEGS]
+        remedy = f"add a fixed joint from the world to {' or '.join(hubs) or 'the base'}"
+        raise ValueError(f"world: expected a fixed joint to the base, got none; {remedy}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
-    held = _held(model, members, platform)
-    if held != platform:
-        platform, members = held, _members(model, held)
-        around = _around(model, members)
-        chains = [_chain(joint, members, around) for joint in around[WORLD]]
     reached = {WORLD, *(step.reached for chain in chains for step in chain)}
     loose = sorted(set(members.values()) - reached)
     if loose:
         raise ValueError(f"body {loose[0]!r}: expected a part of a leg, the platform or the base, got none")
-    legs = tuple(_leg(chain, i + 1) for i, chain in enumerate(chains))
+    legs = tuple(_leg(chain, i) for i, chain in enumerate(chains, 1))
     placed = {body.name: body for body in model.bodies}
     return Machine(placed, _merged(model, members), members, platform, legs)
 
@@ -118,9 +105,12 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
     """Return the moving joints of each body."""
     found: dict[str, list[Joint]] = {}
     for joint in model.joints:
+        ends = members[joint.parent], members[joint.child]
+        if joint.kind == "free" and WORLD not in ends:
+            got = f"one between {joint.parent!r} and {joint.child!r}"
+            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
         if joint.kind in ("fixed", "free"):
             continue
-        ends = members[joint.parent], members[joint.child]
         if ends[0] == ends[1]:
             raise ValueError(
                 f"joint {joint.name!r}: expected one between two bodies, got {joint.parent!r} and "
@@ -129,19 +119,6 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
         for end in ends:
             found.setdefault(end, []).append(joint)
     return found
-
-
-def _held(model: Model, members: Mapping[str, str], platform: str) -> str:
-    """Return the member of the platform with the most connections, and among these the heaviest one.
-
-    Connections are legs and fixed joints; forks and loads have fewer of them than the body that holds them.
-    """
-    count = {body.name: 0 for body in model.bodies if members[body.name] == platform}
-    for joint in model.joints:
-        if joint.kind != "free":
-            for end in {joint.parent, joint.child} & count.keys():
-                count[end] += 1
-    return max(count, key=lambda name: (count[name], model.body(name).mass))
 
 
 def _need_unique(model: Model) -> None:
@@ -156,14 +133,20 @@ def _need_unique(model: Model) -> None:
                 raise ValueError(f"joint {joint.name!r}: body {end!r}: missing")
 
 
-def _members(model: Model, first: str = WORLD) -> dict[str, str]:
-    """Return the first body that each body is fixed to; the world and ``first`` have priority."""
-    found = {body.name: body.name for body in model.bodies}
-    order = {body.name: i for i, body in enumerate(model.bodies)} | {first: -1, WORLD: -2}
+def _members(model: Model) -> dict[str, str]:
+    """Return the main body of the bodies that each body is fixed to.
+
+    It is the world, or else the body with the most joints, and among these the heaviest one. Forks and loads
+    have fewer joints than the platform that holds them.
+    """
+    ends = [end for joint in model.joints if joint.kind != "free" for end in (joint.parent, joint.child)]
+    rank = {body.name: (body.name == WORLD, ends.count(body.name), body.mass) for body in model.bodies}
+    found = {name: name for name in rank}
     for joint in model.joints:
         if joint.kind == "fixed":
-            one, other = sorted((found[joint.parent], found[joint.child]), key=lambda name: order[name])
-            found = {name: one if first == other else first for name, first in found.items()}
+            pair = found[joint.parent], found[joint.child]
+            main = max(pair, key=lambda name: rank[name])
+            found = {name: main if own in pair else own for name, own in found.items()}
     return found
 
 
@@ -228,24 +211,24 @@ def _turns(steps: Sequence[Step]) -> int:
 
 
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
-    """Merge bodies that are fixed together, in the frame of the first one."""
+    """Merge bodies that are fixed together, in the frame of the main one."""
     found = {}
     for name in dict.fromkeys(members.values()):
         parts = [body for body in model.bodies if members[body.name] == name]
-        first = model.body(name)
+        main = model.body(name)
         if name != WORLD and len(parts) > 1:
             for part in parts:
                 if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
                     raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
         heavy = [part for part in parts if part.mass > 0.0]
-        if not heavy or heavy == [first]:
-            found[name] = first
+        if not heavy or heavy == [main]:
+            found[name] = main
             continue
         solids = []
         for part in heavy:
-            Q = first.R.T @ part.R
-            center = first.local(part.placed(part.center))
+            Q = main.R.T @ part.R
+            center = main.local(part.placed(part.center))
             solids.append(bodies.Body(part.mass, center, Q @ part.inertia @ Q.T))
         whole = bodies.joined(solids)
-        found[name] = replace(first, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
+        found[name] = replace(main, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
     return found
