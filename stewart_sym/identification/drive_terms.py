@@ -113,27 +113,14 @@ class Terms(NamedTuple):
         """True if the rotors are among the terms."""
         return any(name.startswith("reflected_mass") for name in self.names)
 
-    @property
-    def _steady(self) -> Flags:
-        """True for dry friction and offsets, shape (m,), whose forces are kept if the motion changes."""
-        names = np.array(self.names)[self.identifiable]
-        return np.array([name.startswith(("coulomb", "offset")) for name in names], dtype=np.bool_)
-
-    def steady(self, values: Array) -> Array:
-        """Compute the forces of dry friction and offsets, shape (..., 6), from the identifiable values."""
-        return np.asarray(self.columns[..., self.identifiable] @ np.where(self._steady, values, 0.0))
-
     def along(self, robot: Robot, motion: Motion) -> Array:
-        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion."""
-        there = drive_terms(robot, motion, self.sought, self.shared).columns
-        return np.asarray(np.where(self._steady, *(x[..., self.identifiable] for x in (self.columns, there))))
+        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion.
 
-    def by_leg(self, name: str, values: Array) -> Array:
-        """Return a term by leg, shape (6,), from the identifiable values, shape (m,); 0 for others."""
-        found = np.zeros(len(self.names))
-        found[self.identifiable] = values
-        own = [each.startswith(name) for each in self.names]
-        return np.broadcast_to(found[own] if any(own) else 0.0, LEGS)
+        The forces of dry friction and offsets are kept.
+        """
+        there = drive_terms(robot, motion, self.sought, self.shared).columns
+        steady = [name.startswith(("coulomb", "offset")) for name in self.names]
+        return np.asarray(np.where(steady, self.columns, there)[..., self.identifiable])
 
     def estimate(self, values: Array, covariance: Array) -> DriveIdentificationResult:
         """Create the result from values (m,) and covariance (m, m) of the identifiable terms."""
