@@ -131,16 +131,26 @@ class FourierPath(Frozen):
         ValueError
             If a time is not finite.
         """
-        time = real_array(tau, "tau", "finite times")[..., None]
+        time = real_array(tau, "tau", "finite times")
         if not np.isfinite(time).all():
             raise ValueError(f"tau: expected finite times, got {time[~np.isfinite(time)][0]}")
-        rate = 2.0 * math.pi / self.period * np.arange(1, len(self.sine) + 1)
-        sin, cos = np.sin(rate * time), np.cos(rate * time)
-        return (
-            np.concatenate([self.t0, self.theta0]) + sin @ self.sine + cos @ self.cosine,
-            (rate * cos) @ self.sine - (rate * sin) @ self.cosine,
-            -(rate**2 * sin) @ self.sine - (rate**2 * cos) @ self.cosine,
-        )
+        center = np.concatenate([self.t0, self.theta0])
+        coefficients = np.vstack([center, self.sine, self.cosine])
+        y, y_dot, y_ddot = harmonics_at(time, self.period, len(self.sine)) @ coefficients
+        return y, y_dot, y_ddot
+
+
+def harmonics_at(time: Array, period: float, count: int) -> Array:
+    """Return 1, sines, cosines of the harmonics, and two derivatives of each, shape (3, ..., 2 count + 1)."""
+    rate = 2.0 * math.pi / period * np.arange(1, count + 1)
+    sin, cos = np.sin(rate * time[..., None]), np.cos(rate * time[..., None])
+    one = np.ones((*time.shape, 1))
+    rows = (
+        [one, sin, cos],
+        [0.0 * one, rate * cos, -rate * sin],
+        [0.0 * one, -(rate**2) * sin, -(rate**2) * cos],
+    )
+    return np.array([np.concatenate(row, axis=-1) for row in rows])
 
 
 @dataclass(frozen=True, eq=False)

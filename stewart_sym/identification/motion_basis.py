@@ -22,6 +22,7 @@ from ..motion.motion import Motion
 from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
 from ..motion.spline import DEGREE, SmoothCurves, Smoothness, likeliest, smooth_columns
+from .excitation import harmonics_at
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
 _STEEPEST = 1.4
@@ -209,7 +210,9 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
     counts = rising if noise.harmonics is None else noise.harmonics
     found, costs = [], []
     for count in np.unique(np.rint(counts).astype(int)).tolist():
-        basis = _fourier(noise.time, noise.period, count)
+        local, start = harmonics_at(elapsed(noise.time), noise.period, count), np.zeros(len(q), dtype=np.intp)
+        size = local.shape[2]
+        basis = Basis(size, start, local, sparse.csr_matrix((0, 6 * size)))
         c = np.linalg.lstsq(basis.local[0], q)[0]
         squares = float(np.sum(((q - basis.local[0] @ c) / noise.std) ** 2))
         found.append((basis, c))
@@ -223,20 +226,6 @@ def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
 def akaike(squares: float, count: int, unknowns: int) -> float:
     """Return Akaike's criterion of a fit to ``count`` samples with noise of unknown size."""
     return count * math.log(max(squares, 1e-300)) + 2.0 * unknowns
-
-
-def _fourier(time: Array, period: float, harmonics: int) -> Basis:
-    rate = 2.0 * math.pi / period * np.arange(1, harmonics + 1)
-    angle = rate * elapsed(time)[:, None]
-    sin, cos = np.sin(angle), np.cos(angle)
-    one, zero = np.ones((len(time), 1)), np.zeros((len(time), 1))
-    local = [
-        np.hstack([one, sin, cos]),
-        np.hstack([zero, rate * cos, -rate * sin]),
-        np.hstack([zero, -(rate**2) * sin, -(rate**2) * cos]),
-    ]
-    size, start = 2 * harmonics + 1, np.zeros(len(time), dtype=np.intp)
-    return Basis(size, start, np.array(local), sparse.csr_matrix((0, 6 * size)))
 
 
 def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
