@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.limits import LEG_LIMITS, LimitTracker, limited_angles
+from ..drives.limits import LimitTracker, limited_angles
 from ..drives.motor_states import motor_states
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
@@ -311,13 +311,10 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
     """Return True if legs with forces F (N), shape (n, 6), and their motors are within their limits."""
     legs = inverse_kinematics(robot, motion)
     values = {"F": F, "L": legs.L, "L_dot": legs.L_dot} | limited_angles(robot, motion)
-    stated = [limit for limit in LEG_LIMITS if limit.values in values]
-    if not all(np.all(limit.sizes(values[limit.values]) <= limit.bound(robot)) for limit in stated):
-        return False
-    if robot.drive is None:
-        return True
+    if robot.drive is not None:
+        values |= motor_states(robot, robot.drive, motion, F, legs.L_dot)._asdict()
     used = LimitTracker(robot, None, weights=np.ones(len(F)))
-    used.add(slice(None), motor_states(robot, robot.drive, motion, F, legs.L_dot)._asdict())
+    used.add(slice(None), values)
     return not used.exceeded(0.0)
 
 
