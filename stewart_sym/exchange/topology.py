@@ -60,7 +60,7 @@ class Machine:
     members : mapping
         Name of the rigid body by the name of each member.
     platform : str
-        Name of the platform, the main body of those that are fixed together.
+        Name of the platform, the main body of its members.
     legs : tuple of Leg
         Six legs.
     """
