@@ -1,6 +1,7 @@
 """Least-squares fits: linear along a known motion, or jointly with a smooth motion for measured poses."""
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from ..motion.motion import Motion
 from ..motion.sample_times import elapsed
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
-from .drive_terms import Terms, rotor_forces
+from .drive_terms import Terms
 from .excitation import force_regressor
 from .least_squares import Factors
 from .motion_basis import (
@@ -161,12 +162,12 @@ def _forces(data: Data, motion: Motion, values: Array) -> Array:
     The signs of dry friction are kept, because steps prevent convergence.
     """
     robot, base = data.robot, data.base
-    H = inverse_dynamics(robot, motion).H
+    found = inverse_dynamics(robot, motion)
     Y = base.reduce(regressor(robot, motion, columns=base.required_columns()))
     wrench = Y @ values[: base.rank] - motion.external_wrench()
-    F = np.linalg.solve(H, wrench[..., None])[..., 0]
-    if robot.drive is not None and robot.has_rotors and not data.seeks_rotors:
-        F = F + rotor_forces(robot, motion, robot.drive) @ robot.reflected_mass
+    F = np.linalg.solve(found.H, wrench[..., None])[..., 0]
+    if robot.has_rotors and not data.seeks_rotors:
+        F = F + found.F - inverse_dynamics(replace(robot, drive=None), motion).F
     if data.terms is not None:
         F = F + data.terms.along(robot, motion) @ values[base.rank :]
     return np.asarray(F)
