@@ -10,21 +10,23 @@ from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import safe_text
 from ..io.array_types import Array
 from ..motion.motion import at_rest
+from ..motion.rotation import cross
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
 from .leg_from_model import LOWER, OPEN, PLATFORM, UPPER, LegFields, has_offsets, need_mass, with_crosses
-from .model import WORLD, Body, Model
+from .model import WORLD, Body, Joint, Model
 from .model_from_robot import SLIDES
-from .statics import slide_forces
-from .topology import Machine, machine_of
+from .topology import Machine, Step, machine_of
 
 _SAID, _SAID_FORCE = 1e-9, 1e-8
 """Smallest reported deviation (relative to a leg, rad), and force relative to the largest force."""
 _MOST_OFF = 0.01
 """Largest error of a force that is only reported, relative to the mean load of a leg."""
 _SAME_FRAME = 1e-9
+_SINGULAR = 1e8
+"""Condition number (m and rad) of a pose in which the forces are not determined."""
 LEAD = 0.005
 """Lead of a screw (m), assumed if a model has an armature but no screw."""
 
@@ -133,7 +135,7 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     pose = at_rest(np.eye(3), machine.bodies[machine.platform].t)
     signs = np.array([leg.sign for leg in legs])
     try:
-        exact = signs * slide_forces(machine, model.joints, g)
+        exact = signs * _slide_forces(machine, model.joints, g)
     except np.linalg.LinAlgError:
         yield "forces at rest: not compared with the file, because its pose is singular"
         return
@@ -148,9 +150,61 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     if error > _SAID_FORCE * largest:
         yield f"{cause}: forces at rest in the pose of the file are off by up to {error:.3g} N"
     if any(joint.load.any() for joint in model.joints):
-        loaded = signs * slide_forces(machine, model.joints, g, loaded=True) - exact
+        loaded = signs * _slide_forces(machine, model.joints, g, loaded=True) - exact
         size = float(np.abs(loaded).max())
         yield f"left out: springs and other loads of joints, {size:.3g} N of force in the pose of the file"
+
+
+def _slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bool = False) -> Array:
+    """Compute the forces at rest in the pose of the file, along the slides from base to platform (N), (6,).
+
+    With ``loaded``, the loads of the joints act, too. Raises LinAlgError in a singular pose.
+    """
+    platform, zero = machine.bodies[machine.platform], np.zeros(3)
+    work = _wrench(platform.mass * g, zero, platform.placed(platform.center))
+    rates = []
+    for leg in machine.legs:
+        steps = (*leg.base, leg.slide, *leg.tip)
+        each = [_twists(machine, step) for step in steps]
+        columns = np.hstack(each)
+        if np.linalg.cond(columns) > _SINGULAR:
+            raise np.linalg.LinAlgError("singular pose")
+        # Rates of the joints per twist of the platform; the spin of a leg between spherical joints is free.
+        split = np.split(np.linalg.pinv(columns), np.cumsum([len(twists.T) for twists in each])[:-1])
+        rates.append(split[len(leg.base)][0])
+        twist = np.zeros((6, 6))
+        for step, twists, rate in zip(steps, each, split, strict=True):
+            twist = twist + twists @ rate
+            body = machine.bodies[step.reached]
+            if step.reached != machine.platform:
+                work += _wrench(body.mass * g, zero, body.placed(body.center)) @ twist
+            if loaded:
+                load = _wrench(step.joint.load[:3], step.joint.load[3:], machine.place(step)) @ twists @ rate
+                work += load if step.forward else -load
+    if loaded:
+        for joint in joints:
+            if joint.kind == "free":
+                point = machine.placed[joint.child].placed(joint.point)
+                work += _wrench(joint.load[:3], joint.load[3:], point)
+    if np.linalg.cond(rates) > _SINGULAR:
+        raise np.linalg.LinAlgError("singular pose")
+    return np.asarray(np.linalg.solve(np.array(rates).T, -work), dtype=np.float64)
+
+
+def _twists(machine: Machine, step: Step) -> Array:
+    """Return the twists of a joint for unit rates, shape (6, n).
+
+    A twist is the velocity of the point of a body at the origin, and the angular velocity.
+    """
+    axes = step.axes if len(step.axes) else np.eye(3)
+    if step.joint.kind == "prismatic":
+        return np.vstack([axes.T, np.zeros((3, 1))])
+    return np.vstack([cross(machine.place(step), axes).T, axes.T])
+
+
+def _wrench(force: Array, moment: Array, point: Array) -> Array:
+    """Return force and moment about the origin, shape (6,), of a force and a moment at a point."""
+    return np.concatenate([force, moment + cross(point, force)])
 
 
 def _open_by(machine: Machine, model: Model) -> float:

@@ -17,8 +17,7 @@ import numpy as np
 import stewart_sym as ss
 
 from ...drives.noise import at_replaced
-from ...identification.log_noise import noise_of_log
-from ...identification.measured_forces import from_measurement
+from ...identification.measured_forces import from_measurement, noise_of_log
 from ...io.error_policy import warn
 from ...io.progress import Progress
 from ...kinematics.robot_logs import log_of, samples_of
