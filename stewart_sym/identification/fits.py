@@ -1,6 +1,5 @@
 """Least-squares fits: linear along a known motion, or jointly with a smooth motion for measured poses."""
 
-import math
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -21,8 +20,7 @@ from .least_squares import Factors
 from .motion_basis import (
     Basis,
     PoseNoise,
-    akaike,
-    bases,
+    basis_of,
     coordinates,
     motion_of,
     pose_derivatives,
@@ -174,31 +172,11 @@ def _forces(data: Data, motion: Motion, values: Array) -> Array:
 
 
 def joint_fit(data: Data, noise: PoseNoise) -> Fit:
-    """Fit motion and parameters jointly.
-
-    If the number of harmonics is unknown, it is one size above the optimum of Akaike's criterion. The
-    additional size keeps the approximation error of the motion below the noise.
-    """
-    q = coordinates(data.motion, noise)
-    best, least = None, math.inf
-    for basis, c in bases(noise, q):
-        if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
-            break
-        found = _gauss_newton(data, noise, basis, c)
-        if best is None or found.converged:
-            best = found
-        criterion = akaike(_squares(found.parts), 2 * q.size, 6 * basis.size)
-        if criterion >= least:
-            break
-        least = criterion
-    if best is None:
+    """Fit motion and parameters jointly by the Gauss-Newton method."""
+    q, weights = coordinates(data.motion, noise), noise.weights
+    basis, c = basis_of(noise, q)
+    if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
         raise ValueError(f"pose_noise: expected more than {len(q)} samples for motion and parameters")
-    return best
-
-
-def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> Fit:
-    """Solve for the parameters and the coefficients of the motion, with initial coefficients c."""
-    weights = noise.weights
     values = exact_fit(data, motion_of(basis.coordinates(c), data.motion)).values
     parts = _residuals(data, weights, basis, values, c)
     for _ in range(_STEPS):
