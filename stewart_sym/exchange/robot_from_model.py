@@ -58,7 +58,8 @@ def robot_of(model: Model) -> tuple[Robot, list[str]]:
     lines = [f"axes and loops have errors of up to {off:.2g} rad or of a leg, treated as exact"]
     lines = lines if off > _SAID else []
     lines += [f"legs in the order of {order}: {who}", f"base frame: the world's; platform frame: {frame}"]
-    lines += _platform_line(model, machine)
+    fixed = [repr(name) for name, main in machine.members.items() if main == machine.platform != name]
+    lines += [f"platform: {machine.platform!r}, to which are fixed: {', '.join(fixed)}"] if fixed else []
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
     lines += [_mass_line(machine, model, robot), "home: the pose in the file"]
@@ -114,18 +115,6 @@ def _mass_line(machine: Machine, model: Model, robot: Robot) -> str:
     crosses = 0.0 if robot.offsets is None else float(robot.offsets.cross_mass.sum())
     kept = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum()) + crosses
     return f"mass of the bodies that move: {moving:.7g} kg in the file, {kept:.7g} kg imported"
-
-
-def _platform_line(model: Model, machine: Machine) -> list[str]:
-    """Write a message about the choice of the platform among bodies that are fixed together."""
-    masses = {body.name: body.mass for body in model.bodies if machine.members[body.name] == machine.platform}
-    if len(masses) < 2:
-        return []
-    heavier = [repr(name) for name, mass in masses.items() if mass > masses[machine.platform]]
-    reason = "the heaviest of the bodies that are fixed together"
-    if heavier:
-        reason = f"to which the legs are attached; heavier, but only fixed to it: {', '.join(heavier)}"
-    return [f"platform: {machine.platform!r}, {reason}"]
 
 
 def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robot: Robot) -> Iterator[str]:
@@ -210,21 +199,18 @@ def _wrench(force: Array, moment: Array, point: Array) -> Array:
 def _open_by(machine: Machine, model: Model) -> float:
     """Compute the largest relative and angular (rad) error of welds and loops; reject large errors."""
     ends = [(machine.place(leg.base[0]), machine.place(leg.tip[-1])) for leg in machine.legs]
-    length, off = float(np.median([np.linalg.norm(tip - base) for base, tip in ends])), 0.0
-    far: dict[str, list[tuple[str, str]]] = {}
-    for joint in model.joints:
-        if joint.cut:
-            gap, angle = machine.gap(joint), joint.position if joint.kind == "fixed" else 0.0
-            off = max(off, gap / length, angle)
-            if max(gap / length, angle) > OPEN:
-                by = f"{gap:.3g} m" if gap > OPEN * length else f"{np.degrees(angle):.3g} deg"
-                far.setdefault("weld" if joint.kind == "fixed" else "loop", []).append((repr(joint.name), by))
-    for what, found in far.items():
-        names, by = (", ".join(words) for words in zip(*found, strict=True))
-        raise ValueError(
-            f"joints {names}: expected each {what} closed in the pose of the file, got open by {by}"
-        )
-    return off
+    length = float(np.median([np.linalg.norm(tip - base) for base, tip in ends]))
+    cuts = [joint for joint in model.joints if joint.cut]
+    gaps = np.array([machine.gap(joint) for joint in cuts])
+    angles = np.array([joint.position for joint in cuts])
+    off = np.maximum(gaps / length, angles)
+    if far := np.flatnonzero(off > OPEN).tolist():
+        names = ", ".join(repr(cuts[i].name) for i in far)
+        turns = np.degrees(angles)
+        by = (f"{gaps[i]:.3g} m" if gaps[i] > OPEN * length else f"{turns[i]:.3g} deg" for i in far)
+        expected = "expected closed loops and welds in the pose of the file"
+        raise ValueError(f"joints {names}: {expected}, got open by {', '.join(by)}")
+    return float(np.max(off, initial=0.0))
 
 
 def _other_joints(model: Model) -> Iterator[str]:

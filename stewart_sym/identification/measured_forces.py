@@ -148,23 +148,11 @@ def noise_of_log(
     period: float | None = None,
     harmonics: int | None = None,
 ) -> PoseNoise | None:
-    """Return the noise of the poses of a log; None if they are exact.
+    """Return the noise of the poses of a log about the reference point; None if they are exact.
 
-    Parameters
-    ----------
-    robot : Robot
-        Robot of the log.
-    log : Trajectory
-        Poses of the reference point, with the noise of the poses of the tool or of the leg lengths.
-    stated : tuple of float or None
-        Standard deviations of positions or leg lengths (m) and of angles (rad); None: estimate of the reader.
-    period, harmonics : optional
-        As in ``PoseNoise``.
-
-    Returns
-    -------
-    PoseNoise or None
-        Noise about the reference point.
+    The noise of the log belongs to the poses of the tool or to the leg lengths. ``stated`` are standard
+    deviations of positions or leg lengths (m) and of angles (rad); None: the estimate of the reader.
+    ``period`` and ``harmonics`` are as in ``PoseNoise``.
     """
     sigma = np.zeros(6) if log.noise is None else log.noise.sigma
     if not log.has_lengths:
