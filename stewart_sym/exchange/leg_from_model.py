@@ -1,7 +1,7 @@
 """Fields of one leg of a robot from the bodies and joints of a model."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -58,9 +58,9 @@ class OffsetLines:
     def cross(self, body: Body) -> dict[str, Any]:
         """Return mass, center of mass (from the base point along o, y, k), and inertia of a cross."""
         frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
-        center = (body.placed(body.center) - self.b) @ frame if body.mass else np.zeros(3)
-        about = self.k @ body.R @ body.inertia @ body.R.T @ self.k
-        return {"cross_mass": body.mass, "cross_center": center, "cross_inertia": float(about)}
+        mass, center, inertia = body.solid
+        center = (center - self.b) @ frame if mass else np.zeros(3)
+        return {"cross_mass": mass, "cross_center": center, "cross_inertia": float(self.k @ inertia @ self.k)}
 
 
 def offset_lines(machine: Machine, leg: Leg) -> OffsetLines:
@@ -253,7 +253,8 @@ class LegFields:
         """
         part = LOWER if base else UPPER if len(before) == 1 else PLATFORM
         axis, point = (before[0] if part == UPPER else behind[0]), self.b if base else self.tip
-        arm = body.placed(body.center) - point
+        mass, center, inertia = body.solid
+        arm = center - point
         # A leg between spherical joints does not rotate about its own line.
         stays = k is not None or float(np.linalg.norm(rotation.cross(axis, self.s))) < _ROUNDING
         single = stays and len(behind if base else before) == 1
@@ -264,13 +265,12 @@ class LegFields:
         off = float(np.linalg.norm(lost))
         place = f"body {body.name!r}: center of mass {1e3 * off:.3g} mm off the intersection of the axes"
         self.farthest = max(self.farthest, (off, place))
-        inertia = body.R @ body.inertia @ body.R.T
         if base and k is not None:
             # Such a body rotates about the fixed axis only.
             inertia = (k @ inertia @ k) * (np.eye(3) - np.outer(axis, axis))
         elif k is None and part != PLATFORM:
             inertia = np.trace(inertia) / 3.0 * np.eye(3)
-        self.crosses.append((body.name, part, bodies.Body(body.mass, point + kept, inertia)))
+        self.crosses.append((body.name, part, bodies.Body(mass, point + kept, inertia)))
 
     def _part(self, body: Body, end: Array, part: str) -> dict[str, Any]:
         """Return mass, center of mass, and inertia of a part ("d" lower, "u" upper) in its frame."""
@@ -314,10 +314,4 @@ class LegFields:
 def with_crosses(body: Body, legs: Sequence[LegFields], part: str) -> Body:
     """Add the bodies between axes that are assigned to a part to its mass, center of mass, and inertia."""
     taken = [solid for leg in legs for _, own, solid in leg.crosses if own == part]
-    if not taken:
-        return body
-    own = bodies.Body(body.mass, body.placed(body.center), body.R @ body.inertia @ body.R.T)
-    whole = bodies.joined([own, *taken])
-    inertia = body.R.T @ whole.inertia @ body.R
-    center = body.local(whole.center_of_mass)
-    return replace(body, mass=whole.mass, center=center, inertia=0.5 * (inertia + inertia.T))
+    return body.with_solids([body.solid, *taken]) if taken else body

@@ -1,12 +1,11 @@
 """Identification of base, platform, and six legs in a model by the joints between the bodies."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..io.array_types import Array
-from ..robot import bodies
 from ..robot.fields import LEGS
 from .model import WORLD, Body, Joint, Model
 
@@ -221,14 +220,6 @@ def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
                 if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
                     raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
         heavy = [part for part in parts if part.mass > 0.0]
-        if not heavy or heavy == [main]:
-            found[name] = main
-            continue
-        solids = []
-        for part in heavy:
-            Q = main.R.T @ part.R
-            center = main.local(part.placed(part.center))
-            solids.append(bodies.Body(part.mass, center, Q @ part.inertia @ Q.T))
-        whole = bodies.joined(solids)
-        found[name] = replace(main, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
+        alone = not heavy or heavy == [main]
+        found[name] = main if alone else main.with_solids([part.solid for part in heavy])
     return found

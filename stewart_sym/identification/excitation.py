@@ -246,11 +246,8 @@ def choose_excitation(
         _count(value, name)
     need_seed(seed)
     period = _own_period(robot) if period is None else number_in(period, "period", "a duration > 0 s")
-    base, home, size = (
-        base_parameters(robot, identical_legs=identical_legs),
-        home_pose(robot),
-        radius(robot.b),
-    )
+    base, home = base_parameters(robot, identical_legs=identical_legs), home_pose(robot)
+    size = radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
