@@ -155,10 +155,7 @@ def _scaled_regressor(data: Data, motion: Motion) -> Array:
 
 
 def _forces(data: Data, motion: Motion, values: Array) -> Array:
-    """Compute the forces (N), shape (..., 6), along a motion with the load of the measured one.
-
-    The signs of dry friction are kept, because steps prevent convergence.
-    """
+    """Compute the forces (N), shape (..., 6), along a motion with the load of the measured one."""
     robot, base = data.robot, data.base
     found = inverse_dynamics(robot, motion)
     Y = base.reduce(regressor(robot, motion, columns=base.required_columns()))
@@ -226,8 +223,7 @@ def _factors(data: Data, weights: Array, basis: Basis, values: Array, c: Array) 
 def _force_derivatives(data: Data, at: Array, values: Array) -> Array:
     """Compute the derivatives of the forces by coordinates and their rates, shape (3, n, 6, 6)."""
     found = np.empty((*at.shape[:2], LEGS, 6))
-    # Forces are quadratic in the rates, so that the size of their changes is arbitrary.
-    for order, change in enumerate(np.ptp(at, axis=1).max(axis=1) * [_CHANGE, 1.0, 1.0]):
+    for order, change in enumerate(_CHANGE * np.ptp(at, axis=1).max(axis=1)):
         for axis, unit in enumerate(np.eye(6)):
             shifted = np.repeat(at[:, None], 2, axis=1)
             shifted[order] += change * np.array([unit, -unit])[:, None]
