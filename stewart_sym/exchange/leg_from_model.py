@@ -256,9 +256,8 @@ class LegFields:
         mass, center, inertia = body.solid
         arm = center - point
         # A leg between spherical joints does not rotate about its own line.
-        stays = k is not None or float(np.linalg.norm(rotation.cross(axis, self.s))) < _ROUNDING
-        single = stays and len(behind if base else before) == 1
-        kept = (arm @ axis) * axis if part == PLATFORM or single else np.zeros(3)
+        shared = k is not None and len(behind if base else before) == 1
+        kept = (arm @ axis) * axis if part == PLATFORM or shared else np.zeros(3)
         lost = arm - kept
         if base and len(before) == 1:
             lost = lost - (lost @ before[0]) * before[0]
@@ -299,8 +298,6 @@ class LegFields:
     def _limits(self, slide: Step) -> tuple[float, float]:
         """Return the length limits of the leg (m)."""
         joint = slide.joint
-        if not joint.limited:
-            return 0.0, np.inf
         if not joint.limits[0] < joint.limits[1]:
             got = f"{joint.limits[0]:g} to {joint.limits[1]:g}"
             raise ValueError(f"joint {joint.name!r}: expected limits from low to high, got {got}")
@@ -308,7 +305,11 @@ class LegFields:
         if abs(zero) < _ROUNDING * self.L:
             zero = 0.0
         low, high = sorted(zero + self.sign * limit for limit in joint.limits)
-        return max(0.0, low), high
+        if np.isinf(high) and low > 0.0:
+            self.said.append(
+                f"left out: shortest length {low:.4g} m of leg {self.number}, without a longest one"
+            )
+        return (0.0, high) if np.isinf(high) else (max(0.0, low), high)
 
 
 def with_crosses(body: Body, legs: Sequence[LegFields], part: str) -> Body:
