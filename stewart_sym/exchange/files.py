@@ -2,7 +2,7 @@
 
 import os
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -19,13 +19,15 @@ from ..io.error_policy import errors_of, warn
 from ..io.toml_reader import read_text
 from ..kinematics.inverse_kinematics import inverse_kinematics
 from ..motion.motion import Motion
+from ..robot.drive import Drive
 from ..robot.fields import LEGS
 from ..robot.robot import Robot, RobotWarning, impossible_inertias, need_masses
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .formats.xml_text import HEADER, at_line, line_named, parsed
 from .model import Model
 from .model_from_robot import model_of, possible
-from .robot_from_model import robot_of
+from .notes import changed_keys
+from .robot_from_model import LEAD, robot_of
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocchio", "usd": "Isaac Sim"}
 """Formats, each with a program that reads it."""
@@ -36,6 +38,8 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "urdf": urdf_out.written,
     "usd": usd_out.written,
 }
+_ROOTS = {"mujoco": "mjcf", "sdf": "sdf", "robot": "urdf"}
+"""Formats that are read, by the name of their root element."""
 BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
 """First characters of files that this program has written."""
 LOOPS = ".loops.json"
@@ -200,14 +204,51 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
     with errors_of(f"{source}: "):
         root = parsed(text)
     try:
-        robot, said = robot_of(_read(root, loops, source, text), source)
+        model = _read(root, text, loops, source)
+        robot, said = robot_of(model)
+        noted = None if model.note is None else _noted(model.note, robot, _ROOTS[root.tag], source)
     except ValueError as error:
         line = None if " line " in str(error) else line_named(str(error), root)
         raise ValueError(f"{source}: {error}{'' if line is None else f' (at line {line})'}") from None
+    if noted is not None:
+        robot = noted
+        said.append("robot file: from the note in the file; bodies and joints agree with it")
+    elif robot.drive is not None:
+        said.append(f"armatures of the slides: rotors behind screws with a lead of {LEAD:g} m")
     for name, text in impossible_inertias(robot):
         if name not in robot.suppressed_warnings:
             warn(f"{source}: {text} [{name}]", RobotWarning)
-    return ImportedModel(robot, said)
+    return ImportedModel(robot, tuple(said))
+
+
+def loops_path(path: str | os.PathLike[str]) -> Path:
+    """Return the path of the loops file of a URDF file."""
+    return Path(path).with_suffix(LOOPS)
+
+
+def _read(root: ET.Element, text: str, loops: str | None, path: str) -> Model:
+    """Convert the elements of a file to a model."""
+    if root.tag == "mujoco":
+        return mjcf_in.model(path, text)
+    if root.tag == "sdf":
+        return sdf_in.model(root)
+    if root.tag == "robot":
+        return urdf_in.model(root, loops)
+    expected = "expected MJCF, SDF, or URDF with a root mujoco, sdf, or robot"
+    raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")
+
+
+def _noted(note: Mapping[str, Any], robot: Robot, form: str, source: str) -> Robot | None:
+    """Return the robot of a note, or None with a warning if bodies and joints of the file differ from it."""
+    with errors_of("note: "):
+        noted = Robot.from_dict(note)
+        text, loops = _WRITERS[form](model_of(noted))
+        expected, _ = robot_of(_read(parsed(text), text, loops, ""))
+    if changed := changed_keys(robot, expected):
+        differ = f"bodies and joints differ from the note ({', '.join(changed)})"
+        warn(f"{source}: {differ}; the note is ignored")
+        return None
+    return noted
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:
@@ -218,37 +259,30 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
     """
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "drake", "usd") and robot.base_joint == "spherical" else []
-    found = [name for name in lost if np.any(getattr(robot, name))]
+    none: dict[str, Any] = {name: 0.0 for name in lost if np.any(getattr(robot, name))}
     missing = {}
-    if found:
-        none: dict[str, Any] = dict.fromkeys(found, 0.0)
-        frictionless = replace(robot, **none)
-        missing[f"friction of spherical joints ({', '.join(found)})"] = _effect(robot, frictionless)
+    if none:
+        by = effect(robot, _forces_of(replace(robot, **none)))
+        missing[f"friction of spherical joints ({', '.join(none)})"] = by
     drive = robot.drive
-    if robot.has_rotors and drive is not None:
+    if drive is not None and robot.has_rotors:
+        # The same reflected mass without angular momentum of the rotors.
+        light = replace(drive, lead=drive.lead / _FAST, rotor_inertia=drive.rotor_inertia / _FAST**2)
         if form in ("sdf", "drake"):
             bare = replace(drive, rotor_inertia=np.zeros(LEGS))
-            missing["inertia of rotors"] = _effect(robot, replace(robot, drive=bare))
+            missing["inertia of rotors"] = effect(robot, _forces_of(replace(robot, drive=bare)))
         elif form != "urdf" and np.any(robot.rotor_momentum):
-            # The same reflected mass without angular momentum of the rotors.
-            light = replace(drive, lead=drive.lead / _FAST, rotor_inertia=drive.rotor_inertia / _FAST**2)
-            missing["angular momentum of rotors"] = _effect(robot, replace(robot, drive=light))
-    lossy = [] if drive is None else losses(drive)
-    if lossy:
-        at_legs, at_motors = _forces_of(robot), _at_motors(robot)
-        missing[f"friction of drives ({', '.join(lossy)})"] = effect(robot, at_legs, full=at_motors)
+            missing["angular momentum of rotors"] = effect(robot, _forces_of(replace(robot, drive=light)))
+    if drive is not None and (lossy := losses(drive)):
+        by = effect(robot, _forces_of(robot), full=_forces_at_motors(robot, drive))
+        missing[f"friction of drives ({', '.join(lossy)})"] = by
     limits = [] if form in ("sdf", "drake", "urdf") else ["speed_limit"]
-    missing |= {
-        name: "" for name in (*limits, "joint_angle_limit") if np.isfinite(getattr(robot, name)).any()
-    }
+    for name in (*limits, "joint_angle_limit"):
+        if np.isfinite(getattr(robot, name)).any():
+            missing[name] = ""
     where = "left out" if form == "usd" else "noted only, for import"
     for what, by in missing.items():
         warn(f"{form}: {what} has no place in the format: {where}{by and '; ' + by}")
-
-
-def _effect(robot: Robot, other: Robot) -> str:
-    """Return the effect of the differences between two robots on the forces, as text."""
-    return effect(robot, _forces_of(other))
 
 
 def _forces_of(robot: Robot) -> Callable[[Motion], Array]:
@@ -256,30 +290,11 @@ def _forces_of(robot: Robot) -> Callable[[Motion], Array]:
     return lambda motion: inverse_dynamics(robot, motion, backend="numpy").F
 
 
-def _at_motors(robot: Robot) -> Callable[[Motion], Array]:
+def _forces_at_motors(robot: Robot, drive: Drive) -> Callable[[Motion], Array]:
     """Return the motor forces along the legs (N) as a function of motions (n,)."""
 
     def forces(motion: Motion) -> Array:
-        assert robot.drive is not None
         F, L_dot = _forces_of(robot)(motion), inverse_kinematics(robot, motion).L_dot
-        return motor_states(robot, robot.drive, motion, F, L_dot).torque * robot.drive.transmission_ratio
+        return motor_states(robot, drive, motion, F, L_dot).torque * drive.transmission_ratio
 
     return forces
-
-
-def loops_path(path: str | os.PathLike[str]) -> Path:
-    """Return the path of the loops file of a URDF file."""
-    return Path(path).with_suffix(LOOPS)
-
-
-def _read(root: ET.Element, loops: str | None, path: str, text: str) -> Model:
-    """Convert the elements of a file to a model."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        if root.tag == "mujoco":
-            return mjcf_in.model(path, text)
-        if root.tag == "sdf":
-            return sdf_in.model(root)
-        if root.tag == "robot":
-            return urdf_in.model(root, loops)
-    expected = "expected MJCF, SDF, or URDF with a root mujoco, sdf, or robot"
-    raise ValueError(f"{expected}, got {shown(root.tag)}{at_line(root)}")

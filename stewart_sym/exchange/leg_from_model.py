@@ -1,7 +1,7 @@
 """Fields of one leg of a robot from the bodies and joints of a model."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -9,22 +9,83 @@ import numpy as np
 from ..io.array_types import Array
 from ..io.error_policy import errors_of
 from ..motion import rotation
-from .crosses import LOWER, UPPER, Cross, crosses_of, with_crosses
-from .model import Body, Joint
-from .offset_legs import OffsetLines
+from ..robot import bodies
+from .model import Body
 from .topology import Leg, Machine, Step
 
 OPEN = 1e-3
 """Largest gap of a loop relative to a leg, and smallest offset or angle (rad) that is not taken as zero."""
+LOWER, UPPER, PLATFORM = "lower part", "upper part", "platform"
 _APART = 5e-3
 """Largest distance of axes from their common point, relative to a leg, and error of directions (rad)."""
 _ROUNDING = 1e-9
 
 
-def need_mass(body: Body, what: str) -> None:
-    """Raise ValueError unless the mass of a body is > 0."""
-    if not body.mass > 0.0:
-        raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
+@dataclass(frozen=True, eq=False)
+class OffsetLines:
+    """Both axes at the base and the sliding axis of a leg, in the world frame.
+
+    Attributes
+    ----------
+    b : ndarray, shape (3,)
+        Base point.
+    A : ndarray, shape (3,)
+        Intersection of the common normal o with the moving axis.
+    k, y : ndarray, shape (3,)
+        Directions of the fixed and of the moving axis.
+    tip : ndarray, shape (3,)
+        End of the sliding axis.
+    s : ndarray, shape (3,)
+        Direction of the sliding axis away from the base.
+    """
+
+    b: Array
+    A: Array
+    k: Array
+    y: Array
+    tip: Array
+    s: Array
+
+    def offsets(self) -> dict[str, float]:
+        """Compute the offset lengths."""
+        r, o = self.tip - self.A, np.cross(self.y, self.k)
+        return {
+            "axis_offset": float((self.A - self.b) @ o),
+            "slide_offset_y": float(r @ self.y),
+            "slide_offset_z": float(r @ np.cross(self.s, self.y)),
+        }
+
+    def cross(self, body: Body) -> dict[str, Any]:
+        """Return mass, center of mass (from the base point along o, y, k), and inertia of a cross."""
+        frame = np.stack([np.cross(self.y, self.k), self.y, self.k], axis=-1)
+        mass, center, inertia = body.solid
+        center = (center - self.b) @ frame if mass else np.zeros(3)
+        return {"cross_mass": mass, "cross_center": center, "cross_inertia": float(self.k @ inertia @ self.k)}
+
+
+def offset_lines(machine: Machine, leg: Leg) -> OffsetLines:
+    """Return the lines of a leg with two revolute joints at the base."""
+    if [len(step.axes) for step in leg.base] != [1, 1]:
+        raise ValueError("expected two revolute joints at the base, since other legs have offsets")
+    first, second = (machine.place(step) for step in leg.base)
+    k, y = (step.axes[0] for step in leg.base)
+    tip, between = common_point(machine, leg.tip)[0], second - first
+    b, A = first + (between @ k) * k, second - (between @ y) * y
+    y = -y if np.cross(y, k) @ (tip - b) < 0.0 else y
+    (s,) = leg.slide.axes
+    return OffsetLines(b, A, k, y, tip, -s if s @ (tip - A) < 0.0 else s)
+
+
+def has_offsets(machine: Machine, leg: Leg) -> bool:
+    """Return True for perpendicular axes at the base that do not meet."""
+    if [len(step.axes) for step in leg.base] != [1, 1]:
+        return False
+    lines = offset_lines(machine, leg)
+    if max(abs(lines.k @ lines.y), abs(lines.y @ lines.s)) > OPEN:
+        return False
+    # Axes at the platform that do not meet move the end of the leg.
+    least = OPEN * float(lines.s @ (lines.tip - lines.A)) + common_point(machine, leg.tip)[1]
+    return max(map(abs, lines.offsets().values())) > least > 0.0
 
 
 def common_point(machine: Machine, steps: Sequence[Step]) -> tuple[Array, float]:
@@ -33,51 +94,26 @@ def common_point(machine: Machine, steps: Sequence[Step]) -> tuple[Array, float]
         return machine.place(steps[0]), 0.0
     points = np.array([machine.place(step) for step in steps for _ in step.axes])
     axes = np.array([axis for step in steps for axis in step.axes])
-    if not np.all(np.isfinite(points @ points.T)):
-        raise ValueError(f"joint {steps[0].joint.name!r}: expected points whose squares are finite")
     across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
-
-    def off(point: Array) -> float:
-        return float(np.linalg.norm(np.einsum("nij,nj->ni", across, point - points), axis=-1).max())
-
     right = np.einsum("nij,nj->i", across, points)
     meeting = np.linalg.lstsq(across.sum(axis=0), right, rcond=None)[0]
-    return meeting, off(meeting)
+    off = np.einsum("nij,nj->ni", across, meeting - points)
+    return meeting, float(np.linalg.norm(off, axis=-1).max())
 
 
-def offset_lines(machine: Machine, leg: Leg) -> OffsetLines | None:
-    """Return the axes of a leg if it has joint offsets: perpendicular axes that do not meet, else None."""
-    if [len(step.axes) for step in leg.base] != [1, 1]:
-        return None
-    lines = _lines(machine, leg)
-    s = _slide(leg, lines)
-    if max(abs(lines.k @ lines.y), abs(lines.y @ s)) > OPEN:
-        return None
-    length = float(s @ (lines.tip - lines.A))
-    # Axes at the platform that do not meet move the end of the leg.
-    least = OPEN * length + common_point(machine, leg.tip)[1]
-    return lines if max(map(abs, lines.offsets(s).values())) > least > 0.0 else None
-
-
-def _lines(machine: Machine, leg: Leg) -> OffsetLines:
-    """Return both axes at the base and the end of the sliding axis."""
-    points = np.array([machine.place(step) for step in leg.base])
-    axes = np.array([step.axes[0] for step in leg.base])
-    return OffsetLines.of(points, axes, common_point(machine, leg.tip)[0])
-
-
-def _slide(leg: Leg, lines: OffsetLines) -> Array:
-    """Return the direction of the sliding axis away from the base, shape (3,)."""
-    (s,) = leg.slide.axes
-    return np.asarray(-s if s @ (lines.tip - lines.A) < 0.0 else s)
+def need_mass(body: Body, what: str) -> None:
+    """Raise ValueError unless the mass of a body is > 0."""
+    if not body.mass > 0.0:
+        raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
 
 
 class LegFields:
     """Fields of one leg of a robot, with messages about assumptions.
 
-    ``values`` and ``offset`` contain fields of the robot, ``off`` is the largest deviation that is treated as
-    exact (relative to the leg and in rad), ``farthest`` the largest distance of axes from their intersection
-    (m) with its place. ``sign`` is 1 if the coordinate of the slide increases with the leg length, else -1.
+    ``values`` and ``offset`` contain fields of the robot. ``off`` is the largest deviation that is treated as
+    exact (relative to the leg and in rad). ``farthest`` is the largest distance (m) of axes or of a body from
+    an intersection of axes, with its place. ``sign`` is 1 if the coordinate of the slide increases with the
+    leg length, else -1. ``crosses`` contains the bodies between axes, as the parts to which they are added.
     """
 
     def __init__(self, machine: Machine, leg: Leg, number: int, offset: bool) -> None:
@@ -86,8 +122,10 @@ class LegFields:
         self.said: list[str] = []
         self.off = 0.0
         self.farthest = (0.0, f"leg {number}")
-        self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
-        for body in (self.lower, self.upper):
+        self.crosses: list[tuple[str, str, bodies.Body]] = []
+        self.offset: dict[str, Any] = {}
+        lower, upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
+        for body in (lower, upper):
             need_mass(body, f"leg {number}")
         with errors_of(f"leg {number}: "):
             self._place(offset)
@@ -95,40 +133,41 @@ class LegFields:
             self.base_joint = "spherical" if k is None else "universal"
             self.sign = self._sign(leg.slide)
             self.frame = self._frame(k)
-            self.crosses = self._crosses(k)
-            self.lower = with_crosses(self.lower, self.crosses, LOWER)
-            self.upper = with_crosses(self.upper, self.crosses, UPPER)
-            self.values = self._values(k)
-        self.offset: dict[str, Any] = {}
-        if self.lines is not None:
-            cross = machine.bodies[leg.crosses[0][0]]
-            lengths = self.lines.offsets(self.s).items()
-            found = {key: each if abs(each) > _ROUNDING * self.L else 0.0 for key, each in lengths}
-            self.offset = found | self.lines.cross(cross)
+            self._take_crosses(k)
+            self.values = {
+                "b": self.b,
+                "p": self.p,
+                "k": np.zeros(3) if k is None else k,
+                **self._part(with_crosses(lower, [self], LOWER), self.foot, "d"),
+                **self._part(with_crosses(upper, [self], UPPER), self.tip, "u"),
+                "C_u": self._damping(leg.base),
+                "C_p": leg.slide.joint.damping,
+                "C_s": self._damping(leg.tip),
+                "length_limits": self._limits(leg.slide),
+                "force_limit": leg.slide.joint.effort,
+                "speed_limit": leg.slide.joint.speed,
+            }
 
     def _place(self, offset: bool) -> None:
         """Compute the points at both ends, length, and direction of the leg."""
         self.tip, tip_apart = common_point(self.machine, self.leg.tip)
-        self.lines = None
-        if offset:
-            if [len(step.axes) for step in self.leg.base] != [1, 1]:
-                raise ValueError("expected two revolute joints at the base, since other legs have offsets")
-            self.lines = _lines(self.machine, self.leg)
-            self.b, self.foot, base_apart = self.lines.b, self.lines.A, 0.0
-        else:
+        self.lines = offset_lines(self.machine, self.leg) if offset else None
+        if self.lines is None:
             self.b, base_apart = common_point(self.machine, self.leg.base)
             self.foot = self.b
+        else:
+            self.b, self.foot, base_apart = self.lines.b, self.lines.A, 0.0
         S = self.tip - self.foot
-        L = float(np.linalg.norm(S))
-        if not L > 0.0:
+        length = float(np.linalg.norm(S))
+        if not length > 0.0:
             raise ValueError("expected a leg with a length, got 0 m")
-        self.s = S / L if self.lines is None else _slide(self.leg, self.lines)
+        self.s = S / length if self.lines is None else self.lines.s
         self.L = float(self.s @ S)
-        self.p = self._own(self.machine.bodies[self.machine.platform], self.tip)
+        self.p = self._local(self.machine.bodies[self.machine.platform], self.tip)
         self._need_meeting(self.leg.base, base_apart)
         self._need_meeting(self.leg.tip, tip_apart)
 
-    def _own(self, body: Body, point: Array) -> Array:
+    def _local(self, body: Body, point: Array) -> Array:
         """Return a point in the frame of a body, with exact zeros for rounding errors."""
         found = body.local(point)
         return np.where(np.abs(found) < _ROUNDING * self.L, 0.0, found)
@@ -145,9 +184,10 @@ class LegFields:
             return
         where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
         # The assumed intersection is in the middle between the two axes.
-        got = f"{2.0 * off:.3g} m between them"
-        self._near(off / self.L, _APART, where, "axes that meet", got)
-        self.farthest = max(self.farthest, (off, f"leg {self.number}: {where}"))
+        self._near(off / self.L, _APART, where, "axes that meet", f"{2.0 * off:.3g} m between them")
+        self.farthest = max(
+            self.farthest, (off, f"leg {self.number}: {where}: axes {2e3 * off:.3g} mm apart")
+        )
         axes = np.concatenate([step.axes for step in steps])
         if np.linalg.norm(rotation.cross(axes[1:], axes[:-1]), axis=-1).min() < OPEN:
             raise ValueError(f"{where}: expected each axis at an angle to the next one, got parallel ones")
@@ -187,49 +227,64 @@ class LegFields:
         y = y / sine
         return np.stack([self.s, y, rotation.cross(self.s, y)], axis=-1)
 
-    def _crosses(self, k: Array | None) -> list[Cross]:
-        """Assign the bodies between axes to parts, except the body between offset axes."""
-        leg = self.leg if self.lines is None else replace(self.leg, crosses=((), self.leg.crosses[1]))
-        return list(crosses_of(self.machine, leg, np.array([self.b, self.tip]), k))
+    def _take_crosses(self, k: Array | None) -> None:
+        """Assign the bodies between axes to parts; the body between offset axes has its own fields."""
+        at_base, at_tip = self.leg.crosses
+        if self.lines is not None:
+            lengths = self.lines.offsets().items()
+            found = {key: each if abs(each) > _ROUNDING * self.L else 0.0 for key, each in lengths}
+            self.offset = found | self.lines.cross(self.machine.bodies[at_base[0]])
+            at_base = ()
+        for steps, names in ((self.leg.base, at_base), (self.leg.tip, at_tip)):
+            axes = [step.axes for step in steps]
+            for number, name in enumerate(names, 1):
+                body = self.machine.bodies[name]
+                if body.mass < 0.0:
+                    raise ValueError(f"body {name!r}: expected a mass >= 0, got {body.mass:g}")
+                if body.mass or body.inertia.any():
+                    before, behind = np.concatenate(axes[:number]), np.concatenate(axes[number:])
+                    self._take(body, before, behind, steps is self.leg.base, k)
 
-    def _values(self, k: Array | None) -> dict[str, Any]:
-        """Return the fields of the robot."""
-        slide = self.leg.slide.joint
-        return {
-            "b": self.b,
-            "p": self.p,
-            "k": np.zeros(3) if k is None else k,
-            **self._part(self.lower, self.foot, "d"),
-            **self._part(self.upper, self.tip, "u"),
-            "C_u": self._damping(self.leg.base),
-            "C_p": slide.damping,
-            "C_s": self._damping(self.leg.tip),
-            "length_limits": self._limits(slide),
-            "force_limit": slide.effort,
-            "speed_limit": slide.speed,
-        }
+    def _take(self, body: Body, before: Array, behind: Array, base: bool, k: Array | None) -> None:
+        """Assign a body between the axes before and behind it, shape (n, 3), to the part that moves like it.
+
+        The body shares one axis with the part, on which its mass remains; elsewhere it is moved to the
+        intersection of the axes.
+        """
+        part = LOWER if base else UPPER if len(before) == 1 else PLATFORM
+        axis, point = (before[0] if part == UPPER else behind[0]), self.b if base else self.tip
+        mass, center, inertia = body.solid
+        arm = center - point
+        # A leg between spherical joints does not rotate about its own line.
+        shared = k is not None and len(behind if base else before) == 1
+        kept = (arm @ axis) * axis if part == PLATFORM or shared else np.zeros(3)
+        lost = arm - kept
+        if base and len(before) == 1:
+            lost = lost - (lost @ before[0]) * before[0]
+        off = float(np.linalg.norm(lost))
+        place = f"body {body.name!r}: center of mass {1e3 * off:.3g} mm off the intersection of the axes"
+        self.farthest = max(self.farthest, (off, place))
+        if base and k is not None:
+            # Such a body rotates about the fixed axis only.
+            inertia = (k @ inertia @ k) * (np.eye(3) - np.outer(axis, axis))
+        elif k is None and part != PLATFORM:
+            inertia = np.trace(inertia) / 3.0 * np.eye(3)
+        self.crosses.append((body.name, part, bodies.Body(mass, point + kept, inertia)))
 
     def _part(self, body: Body, end: Array, part: str) -> dict[str, Any]:
         """Return mass, center of mass, and inertia of a part ("d" lower, "u" upper) in its frame."""
         Q = body.R.T @ self.frame
-        center, inertia = Q.T @ (body.center - self._own(body, end)), Q.T @ body.inertia @ Q
+        center, inertia = Q.T @ (body.center - self._local(body, end)), Q.T @ body.inertia @ Q
         inertia = 0.5 * (inertia + inertia.T)
         if self.base_joint == "spherical":
-            center, inertia = self._round(center, inertia)
+            # A nearly exact body of revolution becomes an exact one; a robot rejects others.
+            middle = 0.5 * (inertia[1, 1] + inertia[2, 2])
+            line, whole = np.array([center[0], 0.0, 0.0]), np.diag([inertia[0, 0], middle, middle])
+            apart, different = np.abs(center - line).max() / self.L, np.abs(inertia - whole).max()
+            off = float(max(apart, different / np.diag(inertia).max()))
+            if off <= OPEN:
+                self.off, center, inertia = max(self.off, off), line, whole
         return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
-
-    def _round(self, center: Array, inertia: Array) -> tuple[Array, Array]:
-        """Replace a body that is nearly a body of revolution by an exact one."""
-        moments = np.diag(inertia)
-        if moments[1] != moments[2]:
-            moments = np.array([moments[0], *(2 * [0.5 * (moments[1] + moments[2])])])
-        line, whole = np.array([center[0], 0.0, 0.0]), np.diag(moments)
-        apart, different = np.abs(center - line).max() / self.L, np.abs(inertia - whole).max() / moments.max()
-        off = float(max(apart, different))
-        if off > OPEN:
-            return center, inertia
-        self.off = max(self.off, off)
-        return line, whole
 
     def _damping(self, steps: Sequence[Step]) -> float:
         """Return the damping of the joints at one end, which have one common value."""
@@ -240,10 +295,9 @@ class LegFields:
             return float(np.mean(found))
         return found[0]
 
-    def _limits(self, joint: Joint) -> tuple[float, float]:
+    def _limits(self, slide: Step) -> tuple[float, float]:
         """Return the length limits of the leg (m)."""
-        if not joint.limited:
-            return 0.0, np.inf
+        joint = slide.joint
         if not joint.limits[0] < joint.limits[1]:
             got = f"{joint.limits[0]:g} to {joint.limits[1]:g}"
             raise ValueError(f"joint {joint.name!r}: expected limits from low to high, got {got}")
@@ -251,4 +305,14 @@ class LegFields:
         if abs(zero) < _ROUNDING * self.L:
             zero = 0.0
         low, high = sorted(zero + self.sign * limit for limit in joint.limits)
-        return max(0.0, low), high
+        if np.isinf(high) and low > 0.0:
+            self.said.append(
+                f"left out: shortest length {low:.4g} m of leg {self.number}, without a longest one"
+            )
+        return (0.0, high) if np.isinf(high) else (max(0.0, low), high)
+
+
+def with_crosses(body: Body, legs: Sequence[LegFields], part: str) -> Body:
+    """Add the bodies between axes that are assigned to a part to its mass, center of mass, and inertia."""
+    taken = [solid for leg in legs for _, own, solid in leg.crosses if own == part]
+    return body.with_solids([body.solid, *taken]) if taken else body

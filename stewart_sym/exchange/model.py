@@ -3,7 +3,7 @@
 Poses are in the world frame, in the configuration of the model in its file.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..motion import rotation
+from ..robot import bodies
 
 WORLD = "world"
 """Name of the fixed body."""
@@ -21,7 +22,6 @@ BETWEEN = ", joint "
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
-_SAME = 1e-9
 _SHORT = 1e-12
 
 
@@ -81,6 +81,18 @@ class Body:
     def color(self) -> tuple[float, float, float]:
         """Red, green, and blue of its shapes, 0 to 1."""
         return _COLORS.get(self.name.partition("_")[0], _GRAY)
+
+    @property
+    def solid(self) -> bodies.Body:
+        """Mass, center of mass, and inertia in the world frame."""
+        return bodies.Body(self.mass, self.placed(self.center), self.R @ self.inertia @ self.R.T)
+
+    def with_solids(self, solids: Sequence[bodies.Body]) -> "Body":
+        """Return the body with the mass, center of mass, and inertia of solids in the world frame."""
+        whole = bodies.joined(list(solids))
+        inertia = self.R.T @ whole.inertia @ self.R
+        center = self.local(whole.center_of_mass)
+        return replace(self, mass=whole.mass, center=center, inertia=0.5 * (inertia + inertia.T))
 
     def placed(self, point: Array) -> Array:
         """Convert a point from the body frame to the world frame, shape (3,)."""
@@ -171,8 +183,6 @@ class Model:
         Contents of the file that a model cannot represent.
     assumed : mapping
         Assumptions, by the name of the body, or by another key for the whole file.
-    unstated : tuple of str
-        Fields of a robot that the format cannot represent.
     """
 
     name: str
@@ -182,7 +192,6 @@ class Model:
     note: Mapping[str, Any] | None = None
     left_out: tuple[str, ...] = ()
     assumed: Mapping[str, str] = field(default_factory=dict)
-    unstated: tuple[str, ...] = ()
 
     def body(self, name: str) -> Body:
         """Return the body with a name; raise ValueError if there is none."""
@@ -223,13 +232,13 @@ def in_single_axes(model: Model, kinds: tuple[str, ...], cross: Callable[[Joint,
         for joint in model.joints
         if joint.kind in kinds and not joint.cut
     }
-    bodies, joints = [], []
+    parts, joints = [], []
     for body in model.bodies:
-        bodies += [each for each, _ in split[body.name]] if body.name in split else [body]
+        parts += [each for each, _ in split[body.name]] if body.name in split else [body]
     for joint in model.joints:
         whole = joint.cut or joint.child not in split
         joints += [joint] if whole else [each for _, each in split[joint.child]]
-    return replace(model, bodies=tuple(bodies), joints=tuple(joints))
+    return replace(model, bodies=tuple(parts), joints=tuple(joints))
 
 
 def _split(joint: Joint, body: Body, cross: Callable[[Joint, Body], Body]) -> list[tuple[Body, Joint]]:
@@ -255,13 +264,3 @@ def frame_along(axis: Array) -> Array:
     x = rotation.cross(np.eye(3)[np.argmin(np.abs(z))], z)
     x = x / np.linalg.norm(x)
     return np.stack([x, rotation.cross(z, x), z], axis=-1)
-
-
-def after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
-    """Convert orientation and position from a frame with the pose ``outer`` to the world frame."""
-    return outer[0] @ R, outer[1] + outer[0] @ t
-
-
-def same_frame(one: Array, other: Array) -> bool:
-    """Return True if two frames are equal up to rounding."""
-    return bool(np.abs(one - other).max() < _SAME)

@@ -7,13 +7,15 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..io.error_policy import warn
+from ..motion.motion import at_rest
 from ..plausibility.level_poses import level_home
 from ..robot.bodies import tensors_of_bodies
 from ..robot.fields import LEGS, legs_text
+from ..robot.offset_chains import chains
 from ..robot.offset_positions import Chains
+from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot, RobotWarning, impossible_inertias, inertia_fault
 from .model import WORLD, Body, Joint, Model, Shape, frame_along
-from .offset_legs import base_joints, chains_at, cross_of
 
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
@@ -24,6 +26,8 @@ _PART = 0.55
 _REACH = 1.4
 SLIDES = tuple(f"leg_{i}" for i in range(1, LEGS + 1))
 """Names of the actuated joints, by which notes are assigned to legs."""
+_LEAST = 1e-9
+"""Mass and inertia of a massless cross relative to the lower part, because simulators require some."""
 _FAULTY, _THIN = 1e-2, 1e-6
 """Smallest ratio of second moments, for impossible bodies and for bodies without thickness."""
 
@@ -36,20 +40,24 @@ def model_of(robot: Robot) -> Model:
     ValueError
         If a leg is parallel to its fixed axis in this pose, or if its joint offsets cannot reach the pose.
     """
-    t = level_home(robot)
-    at = None if robot.offsets is None else chains_at(robot, t)
-    S = t + robot.p - robot.b
-    L = np.linalg.norm(S, axis=-1) if at is None else at.L[:, 0]
-    frames = _leg_frames(robot, S / L[:, None]) if at is None else at.U
+    t, offsets = level_home(robot), robot.offsets
+    feet, start = robot.b, np.zeros((LEGS, 3))
+    if offsets is None:
+        S = t + robot.p - robot.b
+        L = np.linalg.norm(S, axis=-1)
+        frames = _leg_frames(robot, S / L[:, None])
+    else:
+        at = _chains_at(robot, t)
+        L, frames, feet = at.L[:, 0], at.U, robot.b + at.A
+        start[:, 1:] = np.column_stack([offsets.slide_offset_y, offsets.slide_offset_z])
     bodies = [Body(WORLD, shapes=_plate(robot.b, float(L.mean())))]
     joints: list[Joint] = []
     for i, (frame, length) in enumerate(zip(frames, L, strict=True)):
-        lower, upper = _parts(robot, i, frame, float(length), at)
         base, actuator = _leg_joints(robot, i, frame, float(length))
-        if at is not None and robot.offsets is not None:
-            bodies.append(cross_of(robot, robot.offsets, i, at, _short(_LOWER * float(length))))
-        bodies += [lower, upper]
-        joints += [*([base] if at is None else base_joints(robot, i, at)), actuator]
+        if offsets is not None:
+            bodies.append(_cross(robot, offsets, i, at, _short(_LOWER * float(length))))
+        bodies += _parts(robot, i, frame, float(length), feet[i], start[i])
+        joints += [*([base] if offsets is None else _base_joints(robot, i, at)), actuator]
     shapes = _plate(robot.p, float(L.mean()))
     bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
     joints.append(Joint("free", "free", WORLD, "platform"))
@@ -108,17 +116,14 @@ def _leg_frames(robot: Robot, s: Array) -> Array:
     return np.stack([s, y, np.cross(s, y)], axis=-1)
 
 
-def _parts(robot: Robot, i: int, frame: Array, length: float, at: Chains | None) -> tuple[Body, Body]:
-    """Create the lower and the upper part of a leg."""
-    longest, start = robot.length_limits[i, 1], np.zeros(3)
+def _parts(robot: Robot, i: int, frame: Array, length: float, foot: Array, start: Array) -> tuple[Body, Body]:
+    """Create the lower and the upper part of a leg, whose sliding axis begins at ``start`` in its frame."""
+    longest = robot.length_limits[i, 1]
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
     up, down = (
         np.array([float(stated[i]) or part, 0.0, 0.0]) for stated in (robot.lower_length, robot.upper_length)
     )
-    if at is not None and robot.offsets is not None:
-        start = np.array([0.0, robot.offsets.slide_offset_y[i], robot.offsets.slide_offset_z[i]])
     shape = Shape(_short(_LOWER * length), start, start + up)
-    foot = robot.b[i] if at is None else robot.b[i] + at.A[i]
     inertia = float(robot.m_d[i]), robot.r_d0[i], robot.I_d0[i]
     lower = Body(f"lower_{i + 1}", frame, foot, *inertia, (shape,))
     shape = Shape(_short(_UPPER * length), -down, np.zeros(3))
@@ -150,6 +155,44 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
         driven=True,
     )
     return base, actuator
+
+
+def _chains_at(robot: Robot, t: Array) -> Chains:
+    """Return the leg chains with the platform at rest at t, (3,); raise ValueError out of reach."""
+    with np.errstate(all="ignore"):
+        at = chains(robot, at_rest(np.eye(3), t))
+    lost = [i for i in range(LEGS) if not np.isfinite(at.U[i]).all()]
+    if lost:
+        raise ValueError(f"{legs_text(lost)}: expected a home pose that their offsets reach, got none")
+    return at
+
+
+def _cross(robot: Robot, offsets: JointOffsets, i: int, at: Chains, radius: float) -> Body:
+    """Return the body between both axes of leg i, with the frame o, y, k at the base point.
+
+    It rotates about k only, so its inertia about k is used for all axes. A massless body gets a billionth of
+    the mass of the lower part on the axis.
+    """
+    frame = np.stack([at.o[i], at.y[i], robot.k[i]], axis=-1)
+    mass, inertia = float(offsets.cross_mass[i]), float(offsets.cross_inertia[i])
+    reach = np.array([float(offsets.axis_offset[i]), 0.0, 0.0])
+    return Body(
+        f"cross_{i + 1}",
+        frame,
+        robot.b[i],
+        mass or _LEAST * float(robot.m_d[i]),
+        offsets.cross_center[i] if mass else np.zeros(3),
+        (inertia or _LEAST * float(np.trace(robot.I_d0[i]))) * np.eye(3),
+        (Shape(radius, np.zeros(3), reach),),
+    )
+
+
+def _base_joints(robot: Robot, i: int, at: Chains) -> tuple[Joint, Joint]:
+    """Create the joints of a leg with offsets about the fixed axis and about the moving axis."""
+    cross, lower, damping = f"cross_{i + 1}", f"lower_{i + 1}", float(robot.C_u[i])
+    first = Joint(f"base_{i + 1}_1", "revolute", WORLD, cross, axes=robot.k[i][None], damping=damping)
+    second = Joint(f"base_{i + 1}_2", "revolute", cross, lower, axes=at.y[i][None], damping=damping)
+    return first, second
 
 
 def _plate(points: Array, length: float) -> tuple[Shape, ...]:

@@ -9,96 +9,70 @@ import numpy as np
 from ..dynamics.inverse_dynamics import inverse_dynamics
 from ..io.arguments import safe_text
 from ..io.array_types import Array
-from ..io.error_policy import errors_of, warn
 from ..motion.motion import at_rest
+from ..motion.rotation import cross
 from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY
 from ..robot.offsets import JointOffsets
 from ..robot.robot import Robot
-from .crosses import PLATFORM, lines_of, with_crosses
-from .leg_from_model import OPEN, LegFields, need_mass, offset_lines
-from .model import WORLD, Body, Model, same_frame
-from .model_from_robot import SLIDES, model_of
-from .notes import changed_fields, key_of, noted_alone
-from .statics import slide_forces
-from .topology import Machine, machine_of
+from .leg_from_model import LOWER, OPEN, PLATFORM, UPPER, LegFields, has_offsets, need_mass, with_crosses
+from .model import WORLD, Body, Joint, Model
+from .model_from_robot import SLIDES
+from .topology import Machine, Step, machine_of
 
-_CLOSED = "closed in the pose of the file"
 _SAID, _SAID_FORCE = 1e-9, 1e-8
 """Smallest reported deviation (relative to a leg, rad), and force relative to the largest force."""
 _MOST_OFF = 0.01
 """Largest error of a force that is only reported, relative to the mean load of a leg."""
-_SAME_MASS = 1e-12
-_LEAD = 0.005
+_SAME_FRAME = 1e-9
+_SINGULAR = 1e8
+"""Condition number (m and rad) of a pose in which the forces are not determined."""
+LEAD = 0.005
 """Lead of a screw (m), assumed if a model has an armature but no screw."""
 
 
-def robot_of(model: Model, source: str) -> tuple[Robot, tuple[str, ...]]:
-    """Return the robot and one message for each assumption; raise ValueError for other mechanisms.
+def robot_of(model: Model) -> tuple[Robot, list[str]]:
+    """Return the robot that bodies and joints describe, and a message for each assumption.
 
-    The robot is the note's, unless bodies or joints differ from the note.
+    Raises
+    ------
+    ValueError
+        For other mechanisms, and if the forces at rest differ too much from the forces of the model.
     """
-    derived = _Derived(model)
-    robot, said = derived.robot, derived.lines()
-    if model.note is not None:
-        with errors_of("note: "):
-            noted = Robot.from_dict(model.note)
-            expected = _Derived(model_of(noted)).robot
-        changed = changed_fields(robot, expected, model.unstated)
-        if not changed:
-            return noted, (*said, "robot file: from the note in the file; bodies and joints agree with it")
-        differ = f"bodies and joints differ from the note ({', '.join(map(key_of, changed))})"
-        lost = ", ".join(key_of(name) for name in noted_alone(noted, robot, changed))
-        remedy = f"; add these keys of the note to the robot file: {lost}" if lost else ""
-        warn(f"{source}: {differ}; the note is ignored{remedy}")
-    if robot.drive is not None:
-        said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
-    return robot, tuple(said)
-
-
-class _Derived:
-    """Robot that bodies and joints of a model describe, without its note."""
-
-    def __init__(self, model: Model) -> None:
-        """Compute the robot; raise ValueError for other mechanisms."""
-        self.model = model
-        self.machine, self.order = _ordered(machine_of(model))
-        off = _open_by(self.machine, model)
-        self.offset = any(offset_lines(self.machine, leg) for leg in self.machine.legs)
-        self.legs = [
-            LegFields(self.machine, leg, i, self.offset) for i, leg in enumerate(self.machine.legs, 1)
-        ]
-        _need_same_base(self.legs)
-        self.off = max(off, *(leg.off for leg in self.legs))
-        self.crosses = [each for leg in self.legs for each in leg.crosses]
-        platform = self.machine.bodies[self.machine.platform]
-        need_mass(platform, "the platform")
-        # A different frame is aligned with the base frame, so that the pose in the file is a home pose.
-        self.level = same_frame(platform.R, np.eye(3))
-        platform = with_crosses(platform, self.crosses, PLATFORM)
-        self.robot = _robot(model, self.legs, platform, np.eye(3) if self.level else platform.R)
-
-    def lines(self) -> list[str]:
-        """Return the messages; raise ValueError if masses or forces at rest differ from the model's."""
-        model, machine = self.model, self.machine
-        who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
-        frame = f"that of {machine.platform!r}"
-        if not self.level:
-            frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
-        lines = [f"axes and loops have errors of up to {self.off:.2g} rad or of a leg, treated as exact"]
-        lines = lines if self.off > _SAID else []
-        lines += [f"legs in the order of {self.order}: {who}"]
-        lines += [f"base frame: the world's; platform frame: {frame}", *_platform_line(model, machine)]
-        if model.gravity is None:
-            lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
-        lines += [_mass_kept(machine, model, self.robot), "home: the pose in the file"]
-        lines += [text for name, text in model.assumed.items() if machine.members.get(name) != WORLD]
-        lines += [text for leg in self.legs for text in leg.said]
-        if self.offset:
-            lines.append("joint offsets: axes at the base that do not meet are imported with their distances")
-        lines += lines_of(self.crosses)
-        lines += _force_lines(machine, model, self.legs, self.robot)
-        return lines + [f"left out: {text}" for text in _grouped([*model.left_out, *_other_joints(model)])]
+    machine, order = _ordered(machine_of(model))
+    off = _open_by(machine, model)
+    offset = any(has_offsets(machine, leg) for leg in machine.legs)
+    legs = [LegFields(machine, leg, i, offset) for i, leg in enumerate(machine.legs, 1)]
+    off = max(off, *(leg.off for leg in legs))
+    _need_same_base(legs)
+    platform = machine.bodies[machine.platform]
+    need_mass(platform, "the platform")
+    # A different frame is aligned with the base frame, so that the pose in the file is a home pose.
+    level = bool(np.abs(platform.R - np.eye(3)).max() < _SAME_FRAME)
+    R = np.eye(3) if level else platform.R
+    robot = _robot(model, legs, with_crosses(platform, legs, PLATFORM), R)
+    frame = f"that of {machine.platform!r}"
+    if not level:
+        frame = f"the origin of {machine.platform!r}, axes those of the base in the pose in the file"
+    who = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
+    lines = [f"axes and loops have errors of up to {off:.2g} rad or of a leg, treated as exact"]
+    lines = lines if off > _SAID else []
+    lines += [f"legs in the order of {order}: {who}", f"base frame: the world's; platform frame: {frame}"]
+    fixed = [repr(name) for name, main in machine.members.items() if main == machine.platform != name]
+    lines += [f"platform: {machine.platform!r}, to which are fixed: {', '.join(fixed)}"] if fixed else []
+    if model.gravity is None:
+        lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
+    lines += [_mass_line(machine, model, robot), "home: the pose in the file"]
+    lines += [text for name, text in model.assumed.items() if machine.members.get(name) != WORLD]
+    lines += [text for leg in legs for text in leg.said]
+    if offset:
+        lines.append("joint offsets: axes at the base that do not meet are imported with their distances")
+    for part in (LOWER, UPPER, PLATFORM):
+        names = ", ".join(repr(name) for leg in legs for name, own, _ in leg.crosses if own == part)
+        if names:
+            lines.append(f"between the axes of joints: {names}: imported as mass of the {part}")
+    lines += _force_lines(machine, model, legs, robot)
+    return robot, lines + [f"left out: {each}" for each in _grouped([*model.left_out, *_other_joints(model)])]
 
 
 def _robot(model: Model, legs: Sequence[LegFields], platform: Body, R: Array) -> Robot:
@@ -119,8 +93,8 @@ def _robot(model: Model, legs: Sequence[LegFields], platform: Body, R: Array) ->
         found["offsets"] = JointOffsets(**offsets)
     armature = np.array([leg.leg.slide.joint.armature for leg in legs])
     if armature.any():
-        inertia = armature * (_LEAD / (2.0 * np.pi)) ** 2
-        found["drive"] = Drive(lead=np.full(len(legs), _LEAD), rotor_inertia=inertia)
+        inertia = armature * (LEAD / (2.0 * np.pi)) ** 2
+        found["drive"] = Drive(lead=np.full(len(legs), LEAD), rotor_inertia=inertia)
     return Robot(**found)
 
 
@@ -135,27 +109,12 @@ def _need_same_base(legs: Sequence[LegFields]) -> None:
             raise ValueError(f"{where}: {expected}, got a {leg.base_joint} one")
 
 
-def _mass_kept(machine: Machine, model: Model, robot: Robot) -> str:
-    """Compare the moving mass in the file with the robot; raise ValueError if it differs."""
+def _mass_line(machine: Machine, model: Model, robot: Robot) -> str:
+    """Compare the moving mass in the file with the robot."""
     moving = sum(body.mass for body in model.bodies if machine.members[body.name] != WORLD)
     crosses = 0.0 if robot.offsets is None else float(robot.offsets.cross_mass.sum())
     kept = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum()) + crosses
-    if abs(kept - moving) > _SAME_MASS * moving:
-        got = f"expected {moving:.13g} kg as in the file, got {kept:.13g} kg"
-        raise ValueError(f"mass of the bodies that move: {got}")
     return f"mass of the bodies that move: {moving:.7g} kg in the file, {kept:.7g} kg imported"
-
-
-def _platform_line(model: Model, machine: Machine) -> list[str]:
-    """Write a message about the choice of the platform among bodies that are fixed together."""
-    masses = {body.name: body.mass for body in model.bodies if machine.members[body.name] == machine.platform}
-    if len(masses) < 2:
-        return []
-    heavier = [repr(name) for name, mass in masses.items() if mass > masses[machine.platform]]
-    reason = "the heaviest of the bodies that are fixed together"
-    if heavier:
-        reason = f"to which the legs are attached; heavier, but only fixed to it: {', '.join(heavier)}"
-    return [f"platform: {machine.platform!r}, {reason}"]
 
 
 def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robot: Robot) -> Iterator[str]:
@@ -165,7 +124,7 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     pose = at_rest(np.eye(3), machine.bodies[machine.platform].t)
     signs = np.array([leg.sign for leg in legs])
     try:
-        exact = signs * slide_forces(machine, model.joints, g)
+        exact = signs * _slide_forces(machine, model.joints, g)
     except np.linalg.LinAlgError:
         yield "forces at rest: not compared with the file, because its pose is singular"
         return
@@ -173,44 +132,85 @@ def _force_lines(machine: Machine, model: Model, legs: Sequence[LegFields], robo
     error, largest = float(np.abs(F - exact).max()), float(np.abs(exact).max())
     mass = robot.M + float(robot.m_d.sum()) + float(robot.m_u.sum())
     limit = _MOST_OFF * float(np.linalg.norm(g)) * mass / len(legs)
+    _, cause = max(leg.farthest for leg in legs)
     if error > limit:
         by = f"which changes forces by up to {error:.3g} N (limit {limit:.3g} N, 1 % of the weight per leg)"
-        raise ValueError(f"{_cause(legs)}, {by}; move or reduce the mass, or let the axes meet")
+        raise ValueError(f"{cause}, {by}; move or reduce the mass, or let the axes meet")
     if error > _SAID_FORCE * largest:
-        yield f"{_cause(legs)}: forces at rest in the pose of the file are off by up to {error:.3g} N"
+        yield f"{cause}: forces at rest in the pose of the file are off by up to {error:.3g} N"
     if any(joint.load.any() for joint in model.joints):
-        loaded = signs * slide_forces(machine, model.joints, g, loaded=True) - exact
+        loaded = signs * _slide_forces(machine, model.joints, g, loaded=True) - exact
         size = float(np.abs(loaded).max())
         yield f"left out: springs and other loads of joints, {size:.3g} N of force in the pose of the file"
 
 
-def _cause(legs: Sequence[LegFields]) -> str:
-    """Name the largest deviation of the model from a robot: a body between axes, or axes that do not meet."""
-    apart, where = max(leg.farthest for leg in legs)
-    crosses = [each for leg in legs for each in leg.crosses if each.lost > apart]
-    if not crosses:
-        return f"{where}: axes {2e3 * apart:.3g} mm apart"
-    worst = max(crosses, key=lambda each: each.body.mass * each.lost)
-    off = f"{1e3 * worst.lost:.3g} mm off the intersection of the axes"
-    return f"body {worst.body.name!r}: center of mass {off}"
+def _slide_forces(machine: Machine, joints: Sequence[Joint], g: Array, loaded: bool = False) -> Array:
+    """Compute the forces at rest in the pose of the file, along the slides from base to platform (N), (6,).
+
+    With ``loaded``, the loads of the joints act, too. Raises LinAlgError in a singular pose.
+    """
+    platform, zero = machine.bodies[machine.platform], np.zeros(3)
+    work = _wrench(platform.mass * g, zero, platform.placed(platform.center))
+    rates = []
+    for leg in machine.legs:
+        steps = (*leg.base, leg.slide, *leg.tip)
+        each = [_twists(machine, step) for step in steps]
+        columns = np.hstack(each)
+        if np.linalg.cond(columns) > _SINGULAR:
+            raise np.linalg.LinAlgError("singular pose")
+        # Rates of the joints per twist of the platform; the spin of a leg between spherical joints is free.
+        split = np.split(np.linalg.pinv(columns), np.cumsum([len(twists.T) for twists in each])[:-1])
+        rates.append(split[len(leg.base)][0])
+        twist = np.zeros((6, 6))
+        for step, twists, rate in zip(steps, each, split, strict=True):
+            twist = twist + twists @ rate
+            body = machine.bodies[step.reached]
+            if step.reached != machine.platform:
+                work += _wrench(body.mass * g, zero, body.placed(body.center)) @ twist
+            if loaded:
+                load = _wrench(step.joint.load[:3], step.joint.load[3:], machine.place(step)) @ twists @ rate
+                work += load if step.forward else -load
+    if loaded:
+        for joint in joints:
+            if joint.kind == "free":
+                point = machine.placed[joint.child].placed(joint.point)
+                work += _wrench(joint.load[:3], joint.load[3:], point)
+    if np.linalg.cond(rates) > _SINGULAR:
+        raise np.linalg.LinAlgError("singular pose")
+    return np.asarray(np.linalg.solve(np.array(rates).T, -work), dtype=np.float64)
+
+
+def _twists(machine: Machine, step: Step) -> Array:
+    """Return the twists of a joint for unit rates, shape (6, n).
+
+    A twist is the velocity of the point of a body at the origin, and the angular velocity.
+    """
+    axes = step.axes if len(step.axes) else np.eye(3)
+    if step.joint.kind == "prismatic":
+        return np.vstack([axes.T, np.zeros((3, 1))])
+    return np.vstack([cross(machine.place(step), axes).T, axes.T])
+
+
+def _wrench(force: Array, moment: Array, point: Array) -> Array:
+    """Return force and moment about the origin, shape (6,), of a force and a moment at a point."""
+    return np.concatenate([force, moment + cross(point, force)])
 
 
 def _open_by(machine: Machine, model: Model) -> float:
     """Compute the largest relative and angular (rad) error of welds and loops; reject large errors."""
     ends = [(machine.place(leg.base[0]), machine.place(leg.tip[-1])) for leg in machine.legs]
-    length, off = float(np.median([np.linalg.norm(tip - base) for base, tip in ends])), 0.0
-    far: dict[str, list[tuple[str, str]]] = {}
-    for joint in model.joints:
-        if joint.cut:
-            gap, angle = machine.gap(joint), joint.position if joint.kind == "fixed" else 0.0
-            off = max(off, gap / length, angle)
-            if max(gap / length, angle) > OPEN:
-                by = f"{gap:.3g} m" if gap > OPEN * length else f"{np.degrees(angle):.3g} deg"
-                far.setdefault("weld" if joint.kind == "fixed" else "loop", []).append((repr(joint.name), by))
-    for what, found in far.items():
-        names, by = (", ".join(words) for words in zip(*found, strict=True))
-        raise ValueError(f"joints {names}: expected each {what} {_CLOSED}, got open by {by}")
-    return off
+    length = float(np.median([np.linalg.norm(tip - base) for base, tip in ends]))
+    cuts = [joint for joint in model.joints if joint.cut]
+    gaps = np.array([machine.gap(joint) for joint in cuts])
+    angles = np.array([joint.position for joint in cuts])
+    off = np.maximum(gaps / length, angles)
+    if far := np.flatnonzero(off > OPEN).tolist():
+        names = ", ".join(repr(cuts[i].name) for i in far)
+        turns = np.degrees(angles)
+        by = (f"{gaps[i]:.3g} m" if gaps[i] > OPEN * length else f"{turns[i]:.3g} deg" for i in far)
+        expected = "expected closed loops and welds in the pose of the file"
+        raise ValueError(f"joints {names}: {expected}, got open by {', '.join(by)}")
+    return float(np.max(off, initial=0.0))
 
 
 def _other_joints(model: Model) -> Iterator[str]:

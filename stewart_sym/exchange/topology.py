@@ -1,12 +1,11 @@
 """Identification of base, platform, and six legs in a model by the joints between the bodies."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..io.array_types import Array
-from ..robot import bodies
 from ..robot.fields import LEGS
 from .model import WORLD, Body, Joint, Model
 
@@ -56,11 +55,11 @@ class Machine:
     placed : mapping
         All bodies of the model.
     bodies : mapping
-        Rigid bodies, each with the name and the frame of its first member.
+        Rigid bodies, each with the name and the frame of its main member.
     members : mapping
         Name of the rigid body by the name of each member.
     platform : str
-        Name of the platform; its first member is the heaviest body to which several legs are attached.
+        Name of the platform, the main body of its members.
     legs : tuple of Leg
         Six legs.
     """
@@ -86,30 +85,17 @@ def machine_of(model: Model) -> Machine:
     _need_unique(model)
     members = _members(model)
     around = _around(model, members)
-    for joint in model.joints:
-        if joint.kind == "free" and WORLD not in (members[joint.parent], members[joint.child]):
-            got = f"one between {joint.parent!r} and {joint.child!r}"
-            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
     if not around.get(WORLD):
-        free = [joint.child for joint in model.joints if joint.kind == "free"]
-        if hubs := [repr(name) for name, joints in around.items() if len(joints) >= LEGS]:
-            finding = "world: expected a fixed joint to the base, got none"
-            raise ValueError(f"{finding}; add a fixed joint from the world to {' or '.join(hubs)}")
-        got = "no joint to the world; fix the base to it" if model.joints else "no moving joints"
-        got = f"body {free[0]!r}, which is free" if free else got
-        raise ValueError(f"expected legs on a base that is fixed to the world, got {got}")
+        hubs = [repr(name) for name, joints in around.items() if len(joints) >= LEGS]
+        remedy = f"add a fixed joint from the world to {' or '.join(hubs) or 'the base'}"
+        raise ValueError(f"world: expected a fixed joint to the base, got none; {remedy}")
     chains = [_chain(joint, members, around) for joint in around[WORLD]]
     platform = _platform(chains, around)
-    held = _held(model, members, platform, around[platform])
-    if held != platform:
-        platform, members = held, _members(model, held)
-        around = _around(model, members)
-        chains = [_chain(joint, members, around) for joint in around[WORLD]]
     reached = {WORLD, *(step.reached for chain in chains for step in chain)}
     loose = sorted(set(members.values()) - reached)
     if loose:
         raise ValueError(f"body {loose[0]!r}: expected a part of a leg, the platform or the base, got none")
-    legs = tuple(_leg(chain, i + 1) for i, chain in enumerate(chains))
+    legs = tuple(_leg(chain, i) for i, chain in enumerate(chains, 1))
     placed = {body.name: body for body in model.bodies}
     return Machine(placed, _merged(model, members), members, platform, legs)
 
@@ -118,9 +104,12 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
     """Return the moving joints of each body."""
     found: dict[str, list[Joint]] = {}
     for joint in model.joints:
+        ends = members[joint.parent], members[joint.child]
+        if joint.kind == "free" and WORLD not in ends:
+            got = f"one between {joint.parent!r} and {joint.child!r}"
+            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone, got {got}")
         if joint.kind in ("fixed", "free"):
             continue
-        ends = members[joint.parent], members[joint.child]
         if ends[0] == ends[1]:
             raise ValueError(
                 f"joint {joint.name!r}: expected one between two bodies, got {joint.parent!r} and "
@@ -129,26 +118,6 @@ def _around(model: Model, members: Mapping[str, str]) -> dict[str, list[Joint]]:
         for end in ends:
             found.setdefault(end, []).append(joint)
     return found
-
-
-def _held(model: Model, members: Mapping[str, str], platform: str, joints: Sequence[Joint]) -> str:
-    """Return the heaviest body with several legs among the members of the platform.
-
-    A member with one fixed connection and at most one leg, for example a fork or a load, is not considered.
-    """
-    legs = {body.name: 0 for body in model.bodies if members[body.name] == platform}
-    for joint in joints:
-        legs[joint.parent if joint.parent in legs else joint.child] += 1
-    fixed: dict[str, set[str]] = {name: set() for name in legs}
-    for joint in model.joints:
-        if joint.kind == "fixed" and joint.parent in legs and joint.parent != joint.child:
-            fixed[joint.parent].add(joint.child)
-            fixed[joint.child].add(joint.parent)
-    while hanging := [name for name in legs if legs[name] < 2 and len(fixed[name]) == 1]:
-        (other,) = fixed.pop(hanging[0])
-        legs[other] += legs.pop(hanging[0])
-        fixed[other].remove(hanging[0])
-    return max(legs, key=lambda name: model.body(name).mass)
 
 
 def _need_unique(model: Model) -> None:
@@ -163,14 +132,20 @@ def _need_unique(model: Model) -> None:
                 raise ValueError(f"joint {joint.name!r}: body {end!r}: missing")
 
 
-def _members(model: Model, first: str = WORLD) -> dict[str, str]:
-    """Return the first body that each body is fixed to; the world and ``first`` have priority."""
-    found = {body.name: body.name for body in model.bodies}
-    order = {body.name: i for i, body in enumerate(model.bodies)} | {first: -1, WORLD: -2}
+def _members(model: Model) -> dict[str, str]:
+    """Return the main body of the bodies that each body is fixed to.
+
+    It is the world, or else the body with the most joints, and among these the heaviest one. Forks and loads
+    have fewer joints than the platform that holds them.
+    """
+    ends = [end for joint in model.joints if joint.kind != "free" for end in (joint.parent, joint.child)]
+    rank = {body.name: (body.name == WORLD, ends.count(body.name), body.mass) for body in model.bodies}
+    found = {name: name for name in rank}
     for joint in model.joints:
         if joint.kind == "fixed":
-            one, other = sorted((found[joint.parent], found[joint.child]), key=lambda name: order[name])
-            found = {name: one if first == other else first for name, first in found.items()}
+            pair = found[joint.parent], found[joint.child]
+            main = max(pair, key=lambda name: rank[name])
+            found = {name: main if own in pair else own for name, own in found.items()}
     return found
 
 
@@ -235,24 +210,16 @@ def _turns(steps: Sequence[Step]) -> int:
 
 
 def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
-    """Merge bodies that are fixed together, in the frame of the first one."""
+    """Merge bodies that are fixed together, in the frame of the main one."""
     found = {}
     for name in dict.fromkeys(members.values()):
         parts = [body for body in model.bodies if members[body.name] == name]
-        first = model.body(name)
+        main = model.body(name)
         if name != WORLD and len(parts) > 1:
             for part in parts:
                 if part.mass < 0.0 or (part.mass == 0.0 and part.inertia.any()):
                     raise ValueError(f"body {part.name!r}: expected a mass > 0, got {part.mass:g}")
         heavy = [part for part in parts if part.mass > 0.0]
-        if not heavy or heavy == [first]:
-            found[name] = first
-            continue
-        solids = []
-        for part in heavy:
-            Q = first.R.T @ part.R
-            center = first.local(part.placed(part.center))
-            solids.append(bodies.Body(part.mass, center, Q @ part.inertia @ Q.T))
-        whole = bodies.joined(solids)
-        found[name] = replace(first, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
+        alone = not heavy or heavy == [main]
+        found[name] = main if alone else main.with_solids([part.solid for part in heavy])
     return found

@@ -23,7 +23,7 @@ from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import need_universal
 from ..generated import exact_regressor
 from ..io.arguments import instance, truth
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse_kinematics import inverse_kinematics, joint_sines
 from ..kinematics.mounting_side import radius, upright
@@ -182,7 +182,8 @@ def base_parameters(
             raise ValueError("motion: expected poses, got none")
     truth(identical_legs, "identical_legs")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
-    (names, units), spread, dependent = parameter_names(), np.eye(stack.shape[1]), _of_all_legs()
+    (names, units), spread = parameter_names(), np.eye(stack.shape[1])
+    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
     if identical_legs:
         spread, names, units = _shared_by_legs()
         stack, dependent = stack @ spread, set(exact_regressor.DEPENDENT)
@@ -235,11 +236,6 @@ def alike(pi: Array) -> Array:
     """Replace the parameters of each leg, in pi of shape (148,), by their means over the legs."""
     spread, _, _ = _shared_by_legs()
     return np.asarray(spread @ (spread.T @ pi / spread.sum(axis=0)))
-
-
-def _of_all_legs() -> set[str]:
-    """Return the names of the parameters of the six legs that are dependent for every robot."""
-    return {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
 
 
 def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
@@ -301,13 +297,9 @@ def _random_motion(robot: Robot) -> Motion:
             alpha=0.5 * rate**2 * alpha,
             a=0.5 * rate**2 * size * a,
         )
-        regular = motion[_regular(robot, motion, size)]
-        if regular.shape[0] >= _POSES:
-            return regular[:_POSES]
+        legs = inverse_kinematics(robot, motion)
+        regular = (joint_sines(robot, legs.s) > _REGULAR) & (legs.L > _REGULAR * size)
+        motion = motion[np.all(regular, axis=-1)]
+        if motion.shape[0] >= _POSES:
+            return motion[:_POSES]
     raise ValueError("robot: too few regular poses near the home pose; pass a motion")
-
-
-def _regular(robot: Robot, motion: Motion, size: float) -> Flags:
-    """Return True for regular poses, shape (...)."""
-    legs = inverse_kinematics(robot, motion)
-    return np.asarray(np.all((joint_sines(robot, legs.s) > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

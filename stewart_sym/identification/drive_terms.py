@@ -93,55 +93,56 @@ class DriveIdentificationResult(Frozen):
 
 
 class Terms(NamedTuple):
-    """Requested drive terms along a motion.
+    """Requested drive terms, with names in the order of ``DRIVE_TERMS``.
 
-    ``columns``, shape (..., 6, n), are the forces of each term (N) for a value of 1. ``sought`` and
-    ``shared`` are arguments of ``drive_terms``; ``confused`` has a message for each unidentifiable term.
+    With ``shared`` all legs have the same values. ``confused`` has a message for each unidentifiable term.
     """
 
-    names: tuple[str, ...]
-    units: tuple[str, ...]
-    columns: Array
-    identifiable: Flags
     sought: tuple[str, ...]
     shared: bool
+    identifiable: Flags = np.zeros(0, dtype=np.bool_)
     confused: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the terms, with the number of the leg unless they are shared."""
+        legs = [""] if self.shared else range(1, LEGS + 1)
+        return tuple(f"{name}{leg}" for name in self.sought for leg in legs)
 
     @property
     def of_rotors(self) -> bool:
         """True if the rotors are among the terms."""
-        return any(name.startswith("reflected_mass") for name in self.names)
+        return "reflected_mass" in self.sought
 
-    @property
-    def _steady(self) -> Flags:
-        """True for dry friction and offsets, shape (m,), whose forces are kept if the motion changes."""
-        names = np.array(self.names)[self.identifiable]
-        return np.array([name.startswith(("coulomb", "offset")) for name in names], dtype=np.bool_)
-
-    def steady(self, values: Array) -> Array:
-        """Compute the forces of dry friction and offsets, shape (..., 6), from the identifiable values."""
-        return np.asarray(self.columns[..., self.identifiable] @ np.where(self._steady, values, 0.0))
+    def columns(self, robot: Robot, motion: Motion) -> Array:
+        """Compute the forces of all terms (N) for a value of 1, shape (..., 6, n), along a motion."""
+        legs = inverse_kinematics(robot, motion)
+        within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.regularization_speed)
+        factors = {
+            "reflected_mass": legs.L_ddot,
+            "coulomb": smooth_sign(legs.L_dot, within),
+            "offset": np.ones_like(legs.L_dot),
+            "viscous": legs.L_dot,
+        }
+        columns = []
+        for name in self.sought:
+            each = np.asarray(factors[name])[..., None] * np.eye(LEGS)
+            if name == "reflected_mass" and robot.drive is not None:
+                each = rotor_forces(robot, motion, robot.drive)
+            columns.append(each.sum(axis=-1, keepdims=True) if self.shared else each)
+        return np.concatenate(columns, axis=-1)
 
     def along(self, robot: Robot, motion: Motion) -> Array:
-        """Compute the forces of the identifiable terms, shape (..., 6, m), along a similar motion."""
-        there = drive_terms(robot, motion, self.sought, self.shared).columns
-        return np.asarray(np.where(self._steady, *(x[..., self.identifiable] for x in (self.columns, there))))
-
-    def by_leg(self, name: str, values: Array) -> Array:
-        """Return a term by leg, shape (6,), from the identifiable values, shape (m,); 0 for others."""
-        found = np.zeros(len(self.names))
-        found[self.identifiable] = values
-        own = [each.startswith(name) for each in self.names]
-        return np.broadcast_to(found[own] if any(own) else 0.0, LEGS)
+        """Compute the forces of the identifiable terms, shape (..., 6, m), along a motion."""
+        return np.asarray(self.columns(robot, motion)[..., self.identifiable])
 
     def estimate(self, values: Array, covariance: Array) -> DriveIdentificationResult:
         """Create the result from values (m,) and covariance (m, m) of the identifiable terms."""
         found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
         found[self.identifiable] = values
         spread[np.ix_(self.identifiable, self.identifiable)] = covariance
-        return DriveIdentificationResult(
-            self.names, self.units, found, spread, self.identifiable, self.confused
-        )
+        units = tuple(DRIVE_TERMS[name.rstrip("123456")] for name in self.names)
+        return DriveIdentificationResult(self.names, units, found, spread, self.identifiable, self.confused)
 
 
 def need_terms(drive: object, where: str = "drive_terms") -> tuple[str, ...]:
@@ -153,30 +154,6 @@ def need_terms(drive: object, where: str = "drive_terms") -> tuple[str, ...]:
         if not isinstance(name, str) or name not in DRIVE_TERMS:
             raise ValueError(f"{where}: expected {expected}, got {shown(name)}")
     return tuple(name for name in DRIVE_TERMS if name in drive)
-
-
-def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool) -> Terms:
-    """Compute the forces of terms along a motion; with ``shared`` all legs have the same values."""
-    legs = inverse_kinematics(robot, motion)
-    within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.regularization_speed)
-    factors = {
-        "reflected_mass": legs.L_ddot,
-        "coulomb": smooth_sign(legs.L_dot, within),
-        "offset": np.ones_like(legs.L_dot),
-        "viscous": legs.L_dot,
-    }
-    names, units, columns = [], [], []
-    for name in need_terms(drive):
-        each = np.asarray(factors[name])[..., None] * np.eye(LEGS)
-        if name == "reflected_mass" and robot.drive is not None:
-            each = rotor_forces(robot, motion, robot.drive)
-        of_leg = each.sum(axis=-1, keepdims=True) if shared else each
-        columns.append(of_leg)
-        names += [name] if shared else [f"{name}{leg}" for leg in range(1, LEGS + 1)]
-        units += [DRIVE_TERMS[name]] * of_leg.shape[-1]
-    stacked = np.concatenate(columns, axis=-1)
-    every = np.ones(len(names), dtype=np.bool_)
-    return Terms(tuple(names), tuple(units), stacked, every, need_terms(drive), shared)
 
 
 def turning_legs(robot: Robot, motion: Motion, rates: Array) -> Flags:
@@ -227,14 +204,15 @@ def rotor_forces(robot: Robot, motion: Motion, drive: Drive) -> Array:
     return np.asarray(np.linalg.solve(H, Y[..., :LEGS] + Y[..., LEGS:] / drive.transmission_ratio))
 
 
-def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
+def told_apart(terms: Terms, A: Array, columns: Array, names: Sequence[str]) -> Terms:
     """Determine the identifiable terms.
 
     A term is identifiable unless it is a linear combination of the base parameters and the terms before it
-    along the motion. ``A``, shape (..., 6, rank), are the forces of the base parameters with these names.
+    along the motion. ``A``, shape (..., 6, rank), are the forces of the base parameters with these names, and
+    ``columns`` the forces of the terms.
     """
     known = [*names, *terms.names]
-    columns = np.concatenate([A, terms.columns], axis=-1).reshape(-1, len(known))
+    columns = np.concatenate([A, columns], axis=-1).reshape(-1, len(known))
     lengths = np.linalg.norm(columns, axis=0)
     R = np.asarray(np.linalg.qr(columns / np.where(lengths > 0.0, lengths, 1.0), mode="r"))
     new = np.abs(np.diagonal(R)) > _SAME

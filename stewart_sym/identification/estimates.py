@@ -34,8 +34,6 @@ _COSINES = (4, 20)
 _TOGETHER = 20
 # Part of the square of a column below which the unknowns and other columns explain it completely.
 _NEW = 1e-8
-# Largest ratio of the smooth residual to the part that a lag explains that a lag alone may cause.
-_BEYOND_FIRST_ORDER = 0.25
 # Smallest divisor.
 _TINY = 1e-100
 
@@ -254,20 +252,18 @@ class _Effects(NamedTuple):
         kept = values > _NEW
         return float(np.sum((vectors.T @ self.along[:count])[kept] ** 2 / values[kept])), int(kept.sum())
 
-    def p(self, explained: float, count: int) -> float:
-        """Return the probability that noise explains so much by ``count`` independent effects."""
-        if count == 0 or self.spare <= count:
-            return 1.0
-        rest = max((self.squares - explained) / (self.spare - count), _TINY)
-        return float(fdtrc(count, self.spare - count, explained / count / rest))
+    def test(self, more: int, fewer: int = 0) -> tuple[float, float, int]:
+        """Test the effects after the first ``fewer`` ones up to ``more``.
 
-    def without_first(self) -> _Effects:
-        """Return the other effects after elimination of the first one."""
-        first, size = self.gram[0], self.gram[0, 0]
-        if size <= _NEW:
-            return _Effects(self.gram[1:, 1:], self.along[1:], self.squares, self.spare)
-        gram, along = self.gram - np.outer(first, first) / size, self.along - self.along[0] / size * first
-        return _Effects(gram[1:, 1:], along[1:], self.squares - self.along[0] ** 2 / size, self.spare - 1)
+        Returns the probability that noise explains so much, the sum of squares that they explain in addition
+        to the first ones, and the number of independent ones.
+        """
+        (whole, number), (part, without) = self.explained(more), self.explained(fewer)
+        count, rest = number - without, self.spare - number
+        if count == 0 or rest <= 0:
+            return 1.0, 0.0, 0
+        mean_square = max((self.squares - whole) / rest, _TINY)
+        return float(fdtrc(count, rest, (whole - part) / count / mean_square)), whole - part, count
 
 
 def _model_tests(data: Data, fit: Fit, spare: int) -> tuple[_Lag | None, _Test]:
@@ -276,27 +272,27 @@ def _model_tests(data: Data, fit: Fit, spare: int) -> tuple[_Lag | None, _Test]:
     phase = math.pi / n * np.outer(np.arange(n) + 0.5, np.arange(min(max(_COSINES), n // 8)))
     columns = np.asarray(np.kron(np.cos(phase), np.eye(LEGS)) * used, dtype=np.float64)
     if fit.time is None:
-        smooth, _ = _smooth_test(_unexplained(fit, columns, spare), 0)
-        return None, smooth
+        return None, _smooth_test(_unexplained(fit, columns, spare), 0)[0]
     lagging = (-force_rates(data, fit) / data.deviations).ravel()
     effects = _unexplained(fit, np.column_stack([lagging, columns]), spare)
-    smooth, by_smooth = _smooth_test(effects.without_first(), 1)
-    by_lag, count = effects.explained(1)
-    if count == 0 or spare <= 1:
+    smooth, by_smooth = _smooth_test(effects, 1)
+    p, by_lag, count = effects.test(1)
+    if count == 0:
         return None, smooth
-    # The effect of a lag of several samples is not linear in the lag.
-    alone = smooth.p >= LEVEL or by_smooth < _BEYOND_FIRST_ORDER * by_lag
     length, size = np.linalg.norm(lagging), math.sqrt(effects.gram[0, 0])
     time = float(effects.along[0] / size**2 / length)
     mean_square = (effects.squares - by_lag) / (spare - 1)
     sigma = float(max(1.0, math.sqrt(mean_square)) / size / length)
-    effect = np.zeros(len(fit.residual))
-    effect[: len(lagging)] = time * lagging
-    off = fit.factors.solve(effect)[: len(fit.values)] / np.sqrt(np.diagonal(fit.factors.covariance()))
-    test = _Test(min(1.0, (1 + len(_COSINES)) * effects.p(by_lag, 1)))
-    if alone or by_lag > by_smooth:
-        inflation = math.sqrt(1.0 + float(np.mean(off**2)))
-        test = test._replace(inflation=inflation, doubt=_lag_doubt(time, sigma, alone))
+    test = _Test(min(1.0, (1 + len(_COSINES)) * p))
+    # Another effect explains a residual that is mainly smooth.
+    if by_lag > by_smooth:
+        effect = np.zeros(len(fit.residual))
+        effect[: len(lagging)] = time * lagging
+        off = fit.factors.solve(effect)[: len(fit.values)] / np.sqrt(np.diagonal(fit.factors.covariance()))
+        how = "lag" if time > 0.0 else "are ahead of"
+        finding = f"the forces {how} the poses by {1e3 * abs(time):.3g} +- {1e3 * sigma:.2g} ms"
+        text = f"times: {finding}; shift the times of the forces or the poses by this amount"
+        test = _Test(test.p, math.sqrt(1.0 + float(np.mean(off**2))), text)
     return _Lag(time, sigma, test), smooth
 
 
@@ -312,26 +308,16 @@ def _unexplained(fit: Fit, columns: Array, spare: int) -> _Effects:
     return _Effects(gram, columns.T @ left[:rows], float(left @ left), spare)
 
 
-def _smooth_test(effects: _Effects, other_tests: int) -> tuple[_Test, float]:
-    """Test for slow cosines and for all cosines, and return also the sum of squares that they explain."""
-    found = [effects.explained(LEGS * count) for count in _COSINES]
-    p, explained, count = min((effects.p(*each), *each) for each in found)
+def _smooth_test(effects: _Effects, first: int) -> tuple[_Test, float]:
+    """Test for slow cosines and for all cosines in addition to the first effects.
+
+    Returns also the sum of squares that they explain.
+    """
+    p, explained, count = min(effects.test(first + LEGS * count, first) for count in _COSINES)
     size = math.sqrt(explained / max(count, 1))
     source = "noise" if size >= 1.0 else "the specified noise, which exceeds the scatter"
     text = (
         f"forces: differ smoothly from the model, {size:.2f} times as much as expected from {source}; model "
         "all moving parts and friction, keep the load constant, avoid drift of sensors, and check the poses"
     )
-    return _Test(min(1.0, (len(_COSINES) + other_tests) * p), size, text), explained
-
-
-def _lag_doubt(time: float, sigma: float, alone: bool) -> str:
-    """Return the warning about a lag (s)."""
-    how = "lag" if time > 0.0 else "are ahead of"
-    finding = f"the forces {how} the poses by {1e3 * abs(time):.3g} +- {1e3 * sigma:.2g} ms"
-    if alone:
-        return f"times: {finding}; shift the times of the forces or the poses by this amount"
-    return (
-        f"times: a time error, at which {finding}, explains part of the residual, as may effects missing "
-        "from the model; correct the times only if the model is complete"
-    )
+    return _Test(min(1.0, (len(_COSINES) + first) * p), size, text), explained

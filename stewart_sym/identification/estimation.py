@@ -25,8 +25,7 @@ from ..motion.rotation import rotation_from_vector
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult, need_base
 from .base_parameters import base_parameters as parameters_of
-from .drive_terms import drive_terms as terms_along
-from .drive_terms import need_terms, told_apart, turning_legs
+from .drive_terms import Terms, need_terms, told_apart, turning_legs
 from .estimates import IdentificationResult, tested_estimate
 from .excitation import Excitation, force_regressor, need_seed
 from .fits import Data, robust_fit
@@ -198,11 +197,11 @@ def _with_terms(data: Data, drive: tuple[str, ...], noise: PoseNoise | None) -> 
             if not counted.any():
                 reason = "at this pose noise every direction of motion is uncertain"
                 raise ValueError(f'motion: expected legs that move, for "coulomb": {reason}')
-    terms = terms_along(data.robot, along, drive, data.base.identical_legs)
-    terms = terms._replace(columns=terms.columns * counted[..., None])
+    terms = Terms(drive, data.base.identical_legs)
+    columns = terms.columns(data.robot, along) * counted[..., None]
     A = force_regressor(data.robot, along, data.base) * counted[..., None]
     deviations = np.where(counted > 0.0, data.deviations, np.inf)
-    return data._replace(terms=told_apart(terms, A, data.base.names), deviations=deviations)
+    return data._replace(terms=told_apart(terms, A, columns, data.base.names), deviations=deviations)
 
 
 def simulate_experiment(

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..drives.limits import LEG_LIMITS, LimitTracker, limited_angles
+from ..drives.limits import LimitTracker, limited_angles
 from ..drives.motor_states import motor_states
 from ..dynamics.home_pose import home_pose
 from ..dynamics.inverse_dynamics import inverse_dynamics, need_universal
@@ -131,16 +131,26 @@ class FourierPath(Frozen):
         ValueError
             If a time is not finite.
         """
-        time = real_array(tau, "tau", "finite times")[..., None]
+        time = real_array(tau, "tau", "finite times")
         if not np.isfinite(time).all():
             raise ValueError(f"tau: expected finite times, got {time[~np.isfinite(time)][0]}")
-        rate = 2.0 * math.pi / self.period * np.arange(1, len(self.sine) + 1)
-        sin, cos = np.sin(rate * time), np.cos(rate * time)
-        return (
-            np.concatenate([self.t0, self.theta0]) + sin @ self.sine + cos @ self.cosine,
-            (rate * cos) @ self.sine - (rate * sin) @ self.cosine,
-            -(rate**2 * sin) @ self.sine - (rate**2 * cos) @ self.cosine,
-        )
+        center = np.concatenate([self.t0, self.theta0])
+        coefficients = np.vstack([center, self.sine, self.cosine])
+        y, y_dot, y_ddot = harmonics_at(time, self.period, len(self.sine)) @ coefficients
+        return y, y_dot, y_ddot
+
+
+def harmonics_at(time: Array, period: float, count: int) -> Array:
+    """Return 1, sines, cosines of the harmonics, and two derivatives of each, shape (3, ..., 2 count + 1)."""
+    rate = 2.0 * math.pi / period * np.arange(1, count + 1)
+    sin, cos = np.sin(rate * time[..., None]), np.cos(rate * time[..., None])
+    one = np.ones((*time.shape, 1))
+    rows = (
+        [one, sin, cos],
+        [0.0 * one, rate * cos, -rate * sin],
+        [0.0 * one, -(rate**2) * sin, -(rate**2) * cos],
+    )
+    return np.array([np.concatenate(row, axis=-1) for row in rows])
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,11 +246,8 @@ def choose_excitation(
         _count(value, name)
     need_seed(seed)
     period = _own_period(robot) if period is None else number_in(period, "period", "a duration > 0 s")
-    base, home, size = (
-        base_parameters(robot, identical_legs=identical_legs),
-        home_pose(robot),
-        radius(robot.b),
-    )
+    base, home = base_parameters(robot, identical_legs=identical_legs), home_pose(robot)
+    size = radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
@@ -301,13 +308,10 @@ def _limits_kept(robot: Robot, motion: Motion, F: Array) -> bool:
     """Return True if legs with forces F (N), shape (n, 6), and their motors are within their limits."""
     legs = inverse_kinematics(robot, motion)
     values = {"F": F, "L": legs.L, "L_dot": legs.L_dot} | limited_angles(robot, motion)
-    stated = [limit for limit in LEG_LIMITS if limit.values in values]
-    if not all(np.all(limit.sizes(values[limit.values]) <= limit.bound(robot)) for limit in stated):
-        return False
-    if robot.drive is None:
-        return True
+    if robot.drive is not None:
+        values |= motor_states(robot, robot.drive, motion, F, legs.L_dot)._asdict()
     used = LimitTracker(robot, None, weights=np.ones(len(F)))
-    used.add(slice(None), motor_states(robot, robot.drive, motion, F, legs.L_dot)._asdict())
+    used.add(slice(None), values)
     return not used.exceeded(0.0)
 
 

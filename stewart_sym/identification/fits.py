@@ -1,7 +1,5 @@
 """Least-squares fits: linear along a known motion, or jointly with a smooth motion for measured poses."""
 
-import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -14,23 +12,21 @@ from ..io.array_types import Array, Flags
 from ..motion.bad_rows import LIMIT
 from ..motion.motion import Motion
 from ..motion.sample_times import elapsed
-from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParametersResult
-from .drive_terms import Terms, rotor_forces
+from .drive_terms import Terms
 from .excitation import force_regressor
 from .least_squares import Factors
 from .motion_basis import (
     Basis,
     PoseNoise,
-    akaike,
-    bases,
+    basis_of,
     coordinates,
     motion_of,
     pose_derivatives,
     pose_residual,
 )
-from .parameters import inertial_parameters, with_parameters
+from .parameters import regressor
 
 # Largest numbers of Gauss-Newton steps and of halvings of a step. The fit ends at this decrease of the sum of
 # squares, multiplied by the mean square if it exceeds 1, its expectation.
@@ -39,8 +35,6 @@ _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
 _CHANGE = 1e-5
 # Smallest number of samples per outlier, and largest number of fits without the outliers of the fit before.
 _FEWEST_PER_OUTLIER, _MOST_REFITS = 100, 4
-# Lead of a screw (m) so small that the rotor acts along the leg only.
-_FINE = 1e-6
 
 
 class Data(NamedTuple):
@@ -127,7 +121,7 @@ def robust_fit(data: Data, noise: PoseNoise | None) -> tuple[Data, Fit, Flags]:
 
 def _distances(data: Data, fit: Fit) -> Array:
     """Return the largest residual of the forces of each sample, (n,), in robust standard deviations."""
-    off = np.abs(data.forces - _force_model(data, fit.values)(fit.motion)) / data.deviations
+    off = np.abs(data.forces - _forces(data, fit.motion, fit.values)) / data.deviations
     off = off.reshape(-1, LEGS)
     median = np.array([np.median(leg[leg > 0.0]) if leg.any() else 0.0 for leg in off.T])
     # The median of normal deviations is 0.6745 standard deviations.
@@ -136,8 +130,12 @@ def _distances(data: Data, fit: Fit) -> Array:
 
 def exact_fit(data: Data, motion: Motion) -> Fit:
     """Fit the unknowns along an exactly known motion."""
-    A, y = _linear_system(data, motion)
-    J = A.reshape(-1, A.shape[-1])
+    with np.errstate(over="ignore", invalid="ignore"):
+        J = _scaled_regressor(data, motion).reshape(-1, data.unknowns)
+        known = _forces(data, motion, np.zeros(data.unknowns))
+        y = ((data.forces - known) / data.deviations).reshape(-1, LEGS)
+    if not (np.isfinite(J).all() and np.isfinite(y).all()):
+        raise ValueError("force_std: expected standard deviations for which the forces do not overflow")
     factors = Factors(J, sparse.csr_matrix((len(J), 0)))
     if (excited := factors.rank(data.base.rank)) < data.base.rank:
         raise ValueError(
@@ -145,7 +143,7 @@ def exact_fit(data: Data, motion: Motion) -> Fit:
             "or pass base_parameters(robot, motion)"
         )
     values = factors.solve(y.ravel())
-    return Fit(((y - A @ values).reshape(-1, LEGS),), values, factors, motion)
+    return Fit((y - (J @ values).reshape(-1, LEGS),), values, factors, motion)
 
 
 def _scaled_regressor(data: Data, motion: Motion) -> Array:
@@ -156,48 +154,26 @@ def _scaled_regressor(data: Data, motion: Motion) -> Array:
     return np.asarray(A / data.deviations[..., None])
 
 
-def _linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
-    """Return A and y of A values = y divided by the standard deviations, shape (..., 6, m) and (..., 6)."""
-    robot = data.robot
-    with np.errstate(over="ignore", invalid="ignore"):
-        A, y = _scaled_regressor(data, motion), data.forces
-        if motion.F_ext is not None or motion.M_ext is not None:
-            H = inverse_dynamics(robot, motion).H
-            y = y + np.linalg.solve(H, motion.external_wrench()[..., None])[..., 0]
-        if robot.drive is not None and robot.has_rotors and not data.seeks_rotors:
-            y = y - rotor_forces(robot, motion, robot.drive) @ robot.reflected_mass
-        y = y / data.deviations
-    if not (np.isfinite(A).all() and np.isfinite(y).all()):
-        raise ValueError("force_std: expected standard deviations for which the forces do not overflow")
-    return A, y
+def _forces(data: Data, motion: Motion, values: Array) -> Array:
+    """Compute the forces (N), shape (..., 6), along a motion with the load of the measured one."""
+    robot, base = data.robot, data.base
+    found = inverse_dynamics(robot, motion)
+    Y = base.reduce(regressor(robot, motion, columns=base.required_columns()))
+    wrench = Y @ values[: base.rank] - motion.external_wrench()
+    F = np.linalg.solve(found.H, wrench[..., None])[..., 0]
+    if robot.has_rotors and not data.seeks_rotors:
+        F = F + found.F - inverse_dynamics(replace(robot, drive=None), motion).F
+    if data.terms is not None:
+        F = F + data.terms.along(robot, motion) @ values[base.rank :]
+    return np.asarray(F)
 
 
 def joint_fit(data: Data, noise: PoseNoise) -> Fit:
-    """Fit motion and parameters jointly.
-
-    If the number of harmonics is unknown, it is one size above the optimum of Akaike's criterion. The
-    additional size keeps the approximation error of the motion below the noise.
-    """
-    q = coordinates(data.motion, noise)
-    best, least = None, math.inf
-    for basis, c in bases(noise, q):
-        if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
-            break
-        found = _gauss_newton(data, noise, basis, c)
-        if best is None or found.converged:
-            best = found
-        criterion = akaike(_squares(found.parts), 2 * q.size, 6 * basis.size)
-        if criterion >= least:
-            break
-        least = criterion
-    if best is None:
+    """Fit motion and parameters jointly by the Gauss-Newton method."""
+    q, weights = coordinates(data.motion, noise), noise.weights
+    basis, c = basis_of(noise, q)
+    if 6 * basis.size + data.unknowns >= 2 * q.size + basis.prior.shape[0]:
         raise ValueError(f"pose_noise: expected more than {len(q)} samples for motion and parameters")
-    return best
-
-
-def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> Fit:
-    """Solve for the parameters and the coefficients of the motion, with initial coefficients c."""
-    weights = noise.weights
     values = exact_fit(data, motion_of(basis.coordinates(c), data.motion)).values
     parts = _residuals(data, weights, basis, values, c)
     for _ in range(_STEPS):
@@ -226,7 +202,7 @@ def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> Fit:
 def _residuals(data: Data, weights: Array, basis: Basis, values: Array, c: Array) -> tuple[Array, ...]:
     """Compute the residuals of forces, poses, and prior divided by their standard deviations."""
     motion = motion_of(basis.coordinates(c), data.motion)
-    off = (data.forces - _force_model(data, values)(motion)) / data.deviations
+    off = (data.forces - _forces(data, motion, values)) / data.deviations
     return off, pose_residual(data.motion, motion, weights), -(basis.prior @ c.ravel())
 
 
@@ -246,53 +222,17 @@ def _factors(data: Data, weights: Array, basis: Basis, values: Array, c: Array) 
 
 def _force_derivatives(data: Data, at: Array, values: Array) -> Array:
     """Compute the derivatives of the forces by coordinates and their rates, shape (3, n, 6, 6)."""
-    forces = _force_model(data, values)
     found = np.empty((*at.shape[:2], LEGS, 6))
-    # Forces are quadratic in the rates, so that the size of their changes is arbitrary.
-    for order, change in enumerate(np.ptp(at, axis=1).max(axis=1) * [_CHANGE, 1.0, 1.0]):
-        shifted = np.repeat(at[:, None], 12, axis=1)
-        shifted[order] += change * np.concatenate([np.eye(6), -np.eye(6)])[:, None]
-        rise, fall = np.split(forces(motion_of(shifted, data.motion)), 2)
-        found[order] = np.moveaxis(rise - fall, 0, -1) / (2.0 * change)
+    for order, change in enumerate(_CHANGE * np.ptp(at, axis=1).max(axis=1)):
+        for axis, unit in enumerate(np.eye(6)):
+            shifted = np.repeat(at[:, None], 2, axis=1)
+            shifted[order] += change * np.array([unit, -unit])[:, None]
+            rise, fall = _forces(data, motion_of(shifted, data.motion), values)
+            found[order, ..., axis] = (rise - fall) / (2.0 * change)
     return found
-
-
-def _force_model(data: Data, values: Array) -> Callable[[Motion], Array]:
-    """Return a function that computes the forces (N), shape (n, 6), along a motion.
-
-    Identified parameters may be nonphysical (negative masses or friction). Because forces are linear in the
-    parameters, they are the difference of two physical robots. The second one has neither load nor, unless
-    rotors are unknowns, rotors. The signs of dry friction are kept, because steps prevent convergence.
-    """
-    lifted = data.base.expansion @ values[: data.base.rank]
-    own, steady, terms = inertial_parameters(data.robot), np.zeros(LEGS), data.terms
-    if terms is not None:
-        along_leg = [own.names.index(f"C_p{leg}") for leg in range(1, LEGS + 1)]
-        lifted[along_leg] += terms.by_leg("viscous", values[data.base.rank :])
-        steady = terms.steady(values[data.base.rank :])
-    positive = [name.startswith(("M", "m_", "C_")) for name in own.names]
-    lesser = own.values + np.where(positive, np.abs(lifted), 0.0)
-    more = with_parameters(data.robot, lesser + lifted)
-    less = replace(with_parameters(data.robot, lesser), drive=None)
-    if terms is not None and data.seeks_rotors:
-        reflected = terms.by_leg("reflected_mass", values[data.base.rank :])
-        more = _with_rotors(more, data.robot.drive, np.abs(reflected) + reflected)
-        less = _with_rotors(less, data.robot.drive, np.abs(reflected))
-
-    def forces(motion: Motion) -> Array:
-        unloaded = replace(motion, F_ext=None, M_ext=None)
-        return inverse_dynamics(more, motion).F - inverse_dynamics(less, unloaded).F + steady
-
-    return forces
-
-
-def _with_rotors(robot: Robot, drive: Drive | None, reflected: Array) -> Robot:
-    """Return the robot with drives whose rotors have the reflected masses (kg), shape (6,)."""
-    given = Drive(lead=_FINE) if drive is None else drive  # type: ignore[arg-type]
-    return replace(robot, drive=replace(given, rotor_inertia=reflected / given.transmission_ratio**2))
 
 
 def force_rates(data: Data, fit: Fit) -> Array:
     """Compute the rates of the forces of a joint fit (N/s), shape (n, 6)."""
-    time, forces = fit.time, _force_model(data, fit.values)(fit.motion)
+    time, forces = fit.time, _forces(data, fit.motion, fit.values)
     return np.asarray(make_interp_spline(time, forces, min(5, len(forces) - 1))(time, 1))

@@ -1,4 +1,4 @@
-"""Identification from logged forces: samples of both files at equal times, unit and sign of the forces."""
+"""Identification from logs: samples at equal times, unit and sign of the forces."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -7,7 +7,6 @@ f in place of the measured poses keep the noise out of the accelerations.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -22,6 +21,7 @@ from ..motion.motion import Motion
 from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
 from ..motion.spline import DEGREE, SmoothCurves, Smoothness, likeliest, smooth_columns
+from .excitation import harmonics_at
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
 _STEEPEST = 1.4
@@ -189,54 +189,36 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
         since = elapsed(noise.time)
         curves, _ = _curves(noise, q)
         return motion_of(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
-    basis, c = next(bases(noise, q))
+    basis, c = basis_of(noise, q)
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
     return motion_of(basis.coordinates(c), motion), rates[:, None] * noise.std
 
 
-def bases(noise: PoseNoise, q: Array) -> Iterator[tuple[Basis, Array]]:
-    """Yield bases for measured coordinates (n, 6), and their coefficients for the poses alone.
+def basis_of(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
+    """Return a basis for measured coordinates (n, 6), and its coefficients for the poses alone.
 
-    Series have a rising number of harmonics, beginning with the best one for the poses (Akaike's criterion).
+    If the number of harmonics is unknown, it is one size above the optimum of Akaike's criterion. The
+    additional size keeps the approximation error of the motion below the noise.
     """
     if noise.period is None:
-        yield _spline(noise, q)
-        return
+        return _spline(noise, q)
     # Samples of several periods at the same phase count once.
     phases = np.rint(elapsed(noise.time) / noise.period % 1.0 * len(q))
     most = max((3 * len(np.unique(phases)) // 4 - 1) // 2, 1)
     rising = np.geomspace(1, most, 1 + round(6.0 * math.log(most)))
     counts = rising if noise.harmonics is None else noise.harmonics
-    found, costs = [], []
+    found, costs, best = [], [], 0
     for count in np.unique(np.rint(counts).astype(int)).tolist():
-        basis = _fourier(noise.time, noise.period, count)
-        c = np.linalg.lstsq(basis.local[0], q)[0]
-        squares = float(np.sum(((q - basis.local[0] @ c) / noise.std) ** 2))
-        found.append((basis, c))
-        costs.append(akaike(squares, q.size, 6 * basis.size))
+        local, start = harmonics_at(elapsed(noise.time), noise.period, count), np.zeros(len(q), dtype=np.intp)
+        size = local.shape[2]
+        c = np.linalg.lstsq(local[0], q)[0]
+        squares = float(np.sum(((q - local[0] @ c) / noise.std) ** 2))
+        found.append((Basis(size, start, local, sparse.csr_matrix((0, 6 * size))), c))
+        costs.append(q.size * math.log(max(squares, 1e-300)) + 12.0 * size)
         best = int(np.argmin(costs))
         if len(costs) > best + _IN_VAIN:
             break
-    yield from found[best:]
-
-
-def akaike(squares: float, count: int, unknowns: int) -> float:
-    """Return Akaike's criterion of a fit to ``count`` samples with noise of unknown size."""
-    return count * math.log(max(squares, 1e-300)) + 2.0 * unknowns
-
-
-def _fourier(time: Array, period: float, harmonics: int) -> Basis:
-    rate = 2.0 * math.pi / period * np.arange(1, harmonics + 1)
-    angle = rate * elapsed(time)[:, None]
-    sin, cos = np.sin(angle), np.cos(angle)
-    one, zero = np.ones((len(time), 1)), np.zeros((len(time), 1))
-    local = [
-        np.hstack([one, sin, cos]),
-        np.hstack([zero, rate * cos, -rate * sin]),
-        np.hstack([zero, -(rate**2) * sin, -(rate**2) * cos]),
-    ]
-    size, start = 2 * harmonics + 1, np.zeros(len(time), dtype=np.intp)
-    return Basis(size, start, np.array(local), sparse.csr_matrix((0, 6 * size)))
+    return found[min(best + 1, len(found) - 1)]
 
 
 def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:

@@ -422,28 +422,6 @@ def inertial_parameters(robot: Robot) -> ParameterVector:
     return ParameterVector(values, *parameter_names())
 
 
-def with_parameters(robot: Robot, values: Array) -> Robot:
-    """Return the robot with other inertial and friction parameters, shape (148,), as in ``ParameterVector``.
-
-    Raises
-    ------
-    ValueError
-        If a mass is not > 0 or a friction coefficient is < 0. Inertias are not checked.
-    """
-    m, h, J = values[BODIES[:, 0]], values[BODIES[:, 1:4]], symmetric(values[BODIES[:, 4:]])
-    r = h / m[:, None]
-    inertia = J - symmetric(_about_joint(m, r, np.zeros(J.shape))[:, 4:])
-    lower, upper = slice(0, -1, 2), slice(1, -1, 2)
-    C_u, C_p, C_s = values[FRICTION].T
-    return replace(
-        robot,
-        M=float(m[-1]), R_0=r[-1], I_p=inertia[-1],
-        m_d=m[lower], r_d0=r[lower], I_d0=inertia[lower],
-        m_u=m[upper], r_u0=r[upper], I_u0=inertia[upper],
-        C_u=C_u, C_p=C_p, C_s=C_s,
-    )  # fmt: skip
-
-
 def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return names and units of the columns of Y."""
     rows = [

@@ -26,8 +26,8 @@ _LEAST = 1e-3
 _WIDTH, _FRICTION_WIDTH = 1.0, 10.0
 # Initial value of relative friction that is zero in the robot file.
 _INSIDE = 1e-6
-# Largest number of steps of a fit, and the relative decrease of its sum of squares at which it ends.
-_COARSE, _FINE = {"max_nfev": 100, "ftol": 1e-6}, {"max_nfev": 500, "ftol": 1e-9}
+# Largest number of steps of each fit, and the relative decrease of its sum of squares at which it ends.
+_STEPS, _DECREASE = 500, 1e-9
 
 
 class _Coordinates(NamedTuple):
@@ -116,21 +116,9 @@ def _nearest(
     far = max(1.0, float(np.max(np.abs(residual(x, 1.0)[: base.rank]))))
     # Continuation from a large covariance to the given one makes the fit converge to distant estimates.
     for easier in np.geomspace(far, 1.0, 2 + math.ceil(math.log10(far))):
-        x = least_squares(residual, x, jacobian, bounds, x_scale="jac", args=(easier,), **_COARSE).x
-    # Without bounds, and with friction kept at zero, the fit converges faster.
-    free = np.flatnonzero(~of_friction | (x > _INSIDE))
-
-    def completed(y: Array) -> Array:
-        return np.asarray(np.bincount(free, y, len(prior)), dtype=np.float64)
-
-    y = least_squares(
-        lambda y: residual(completed(y), 1.0),
-        x[free],
-        lambda y: jacobian(completed(y), 1.0)[:, free],
-        method="lm",
-        **_FINE,
-    ).x
-    x = completed(y) if np.all(completed(y)[of_friction] >= 0.0) else x
+        x = least_squares(
+            residual, x, jacobian, bounds, ftol=_DECREASE, x_scale="jac", max_nfev=_STEPS, args=(easier,)
+        ).x
     return x, residual(x, 1.0), jacobian(x, 1.0)
 
 

@@ -104,7 +104,7 @@ def test_a_weld_holds_a_load_where_mujoco_holds_it(name: str, tmp_path: Path) ->
     # The weld is the last constraint.
     assert (np.abs(data.efc_pos[-6:]).max() < 1e-9) == (not gap)
     if gap:
-        said = f"expected each weld closed in the pose of the file, got open by {gap}"
+        said = f"expected closed loops and welds in the pose of the file, got open by {gap}"
         rejects(said, imported, text, tmp_path)
     else:
         assert imported(text, tmp_path).robot.M == 47.0

@@ -17,6 +17,11 @@ LEFT_OUT = {
         ("<lower>-1e+16</lower>", "<lower>-0.05</lower>"),
         "limits -0.05 to inf rad of joint 'base_1'",
     ),
+    "a shortest length alone": (
+        "sdf",
+        ("<upper>0.19899430161622755</upper>", ""),
+        "shortest length 0.55 m of leg 1, without a longest one",
+    ),
     "for Gazebo": (
         "urdf",
         ("</robot>", '<gazebo reference="leg_1"><springStiffness>5</springStiffness></gazebo></robot>'),
@@ -49,6 +54,11 @@ def test_what_has_no_place_in_a_robot_is_said_to_be_left_out(name: str, tmp_path
     form, change, said = LEFT_OUT[name]
     found = altered(tmp_path, form, *change).assumptions
     assert any(line.startswith(f"left out: {said}") for line in found), found
+
+
+def test_a_longest_length_alone_is_imported(tmp_path: Path) -> None:
+    found = altered(tmp_path, "sdf", "<lower>-0.20100569838377236</lower>", "").robot
+    np.testing.assert_allclose(found.length_limits[:2], [[0.0, 0.95], [0.55, 0.95]], rtol=1e-12)
 
 
 MODEL, JOINT = (f"<use_parent_model_frame>{flag}</use_parent_model_frame>" for flag in ("true", "0"))

@@ -11,8 +11,7 @@ from robot_files import PAPERS
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.identification.log_noise import noise_of_log
-from stewart_sym.identification.measured_files import Measurement
+from stewart_sym.identification.measured_files import Measurement, noise_of_log
 from stewart_sym.identification.measured_forces import from_measurement
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.motion.trajectory import Trajectory

@@ -5,7 +5,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,15 +25,6 @@ _KINDS = ("free", "spherical", "prismatic", "revolute")
 _ENDLESS = np.array([-np.inf, np.inf])
 _ALIGNED = "freejoint align: MuJoCo moves to the center of mass, and turns, the frame"
 _RIGID = "loop closures and limits: rigid; in MuJoCo they give way (solref, solimp)"
-
-
-class _Push(NamedTuple):
-    """Effect of an actuator on its joint: range of the force (N), shape (2,), damping, and armature."""
-
-    name: str
-    forces: Array
-    damping: float
-    armature: float
 
 
 def model(path: str, text: str) -> Model:
@@ -91,16 +82,14 @@ class _Reader:
         self.servos: list[str] = []
         # Actuators by their limits in the two directions.
         self.uneven: dict[tuple[float, float], list[str]] = {}
-        self.forces = {
-            self._name(i, "joint"): compiled.jnt_actfrcrange[i]
-            for i in np.flatnonzero(compiled.jnt_actfrclimited).tolist()
-        }
+        kinds = [int(mujoco.mjtTrn.mjTRN_JOINT), int(mujoco.mjtTrn.mjTRN_JOINTINPARENT)]
+        # Joint of each actuator, or -1.
+        self.driven = np.where(np.isin(compiled.actuator_trntype, kinds), compiled.actuator_trnid[:, 0], -1)
 
     def model(self) -> Model:
         """Read the model."""
         bodies, joints = self._tree()
         joints += self._closures()
-        joints = self._driven(joints)
         self.left_out += self._properties()
         gravity = np.zeros(3) if self._off("gravity") else self.m.opt.gravity
         note = next((each.data for each in self.spec.texts if each.name == NOTE), None)
@@ -113,7 +102,6 @@ class _Reader:
             json_table(note, f"custom: text {NOTE!r}"),
             tuple(dict.fromkeys(self.left_out)),
             assumed,
-            unstated=("C_s", "speed_limit"),
         )
 
     def _off(self, flag: str) -> bool:
@@ -165,20 +153,20 @@ class _Reader:
             self.left_out.append(f"range {low:g} {high:g}, which MuJoCo does not apply, of joint {name!r}")
         if kind in ("revolute", "spherical"):
             self.left_out += turn_limits(limits, f"joint {name!r}")
-        no_damping = self._off("damper")
-        return Joint(
+        joint = Joint(
             name,
             kind,
             parent,
             child,
             np.zeros(3) if kind == "free" else self.m.jnt_pos[i].copy(),
             axes,
-            0.0 if no_damping else float(self.m.dof_damping[dof]),
+            0.0 if self._off("damper") else float(self.m.dof_damping[dof]),
             float(self.m.dof_armature[dof]),
             float(self.m.qpos0[self.m.jnt_qposadr[i]]) if single else 0.0,
             (float(limits[0]), float(limits[1])),
             load=self._load(kind, dof, axes, self.m.jnt_bodyid[i]),
         )
+        return self._with_actuators(joint, i) if kind == "prismatic" else joint
 
     def _load(self, kind: str, dof: int, axes: Array, body: int) -> Array:
         """Return force and moment on a body by springs, gravity compensation, and fluid at a joint, (6,)."""
@@ -230,55 +218,38 @@ class _Reader:
             R = R @ rotation_from_quaternion(data[6:10])
         return self._name(number), R, data[3 - 3 * end : 6 - 3 * end].copy()
 
-    def _driven(self, joints: list[Joint]) -> list[Joint]:
-        """Return the joints with the limits, damping, and armature of their actuators."""
-        slides = {joint.name for joint in joints if joint.kind == "prismatic"}
-        found: dict[str, list[_Push]] = {}
-        in_joints = [int(self.lib.mjtTrn.mjTRN_JOINT), int(self.lib.mjtTrn.mjTRN_JOINTINPARENT)]
-        for i in range(len(self.m.actuator_trntype)):
-            on_joint = self.m.actuator_trntype[i] in in_joints
-            joint = self._name(self.m.actuator_trnid[i, 0], "joint") if on_joint else ""
-            name = f"actuator {self._name(i, 'actuator')!r}"
-            if joint not in slides:
-                self.left_out.append(f"{name}, which does not drive a prismatic joint")
-                continue
-            gear = self.m.actuator_gear[i, 0]
-            forces = np.sort(gear * self._forces(i, name)) if gear else np.zeros(2)
-            damping, armature = gear**2 * self.m.actuator_damping[i], gear**2 * self.m.actuator_armature[i]
-            found.setdefault(joint, []).append(_Push(name, forces, float(damping), float(armature)))
-        return [self._pushed(each, found.get(each.name, [])) for each in joints]
-
-    def _forces(self, i: int, name: str) -> Array:
-        """Return the range of the force of an actuator before its gear (N), shape (2,)."""
-        forces, control = _ENDLESS, self.m.actuator_ctrladr[i]
-        m = self.m
-        if m.actuator_dyntype[i] or m.actuator_gaintype[i] or m.actuator_biastype[i] or m.actuator_delay[i]:
-            self.servos.append(name)
-        elif self.m.actuator_ctrllimited[control] and not self._off("clampctrl"):
-            gain = self.m.actuator_gainprm[i, 0]
-            forces = np.sort(gain * self.m.actuator_ctrlrange[control]) if gain else np.zeros(2)
-        if self.m.actuator_forcelimited[i]:
-            forces = np.clip(forces, *self.m.actuator_forcerange[i])
-        return forces
-
-    def _pushed(self, joint: Joint, pushes: list[_Push]) -> Joint:
-        """Return a joint with the combined effect of its actuators, limited by its own force limits."""
-        if joint.kind != "prismatic":
-            return joint
-        limits, where = self.forces.get(joint.name, _ENDLESS), f"joint {joint.name!r}"
-        if pushes:
-            where = " and ".join(each.name for each in pushes)
-            limits = np.clip(np.sum([each.forces for each in pushes], axis=0), *limits)
+    def _with_actuators(self, joint: Joint, i: int) -> Joint:
+        """Return a slide with the combined limits, damping, and armature of its actuators."""
+        m, on = self.m, np.flatnonzero(self.driven == i)
+        names = [f"actuator {self._name(each, 'actuator')!r}" for each in on.tolist()]
+        limits = m.jnt_actfrcrange[i] if m.jnt_actfrclimited[i] else _ENDLESS
+        if names:
+            forces = [self._forces(*each) for each in zip(on.tolist(), names, strict=True)]
+            limits = np.clip(np.sum(forces, axis=0), *limits)
         low, high = np.abs(limits)
         if low != high:
+            where = " and ".join(names) or f"joint {joint.name!r}"
             self.uneven.setdefault((min(low, high), max(low, high)), []).append(where)
+        squares = m.actuator_gear[on, 0] ** 2
         return replace(
             joint,
-            damping=joint.damping + sum(each.damping for each in pushes),
-            armature=joint.armature + sum(each.armature for each in pushes),
+            damping=joint.damping + float(squares @ m.actuator_damping[on]),
+            armature=joint.armature + float(squares @ m.actuator_armature[on]),
             effort=float(max(low, high)),
-            driven=bool(pushes),
+            driven=bool(names),
         )
+
+    def _forces(self, i: int, name: str) -> Array:
+        """Return the range of the force of an actuator (N), shape (2,)."""
+        m, forces, gear = self.m, _ENDLESS, self.m.actuator_gear[i, 0]
+        control, gain = m.actuator_ctrladr[i], m.actuator_gainprm[i, 0]
+        if m.actuator_dyntype[i] or m.actuator_gaintype[i] or m.actuator_biastype[i] or m.actuator_delay[i]:
+            self.servos.append(name)
+        elif m.actuator_ctrllimited[control] and not self._off("clampctrl"):
+            forces = np.sort(gain * m.actuator_ctrlrange[control])
+        if m.actuator_forcelimited[i]:
+            forces = np.clip(forces, *m.actuator_forcerange[i])
+        return np.sort(gear * forces) if gear else np.zeros(2)
 
     # Properties that a robot cannot represent
 
@@ -296,6 +267,9 @@ class _Reader:
             yield "that the option disables actuators"
         for i in np.flatnonzero(m.actuator_dampingpoly.any(axis=-1)).tolist():
             yield f"nonlinear damping of actuator {self._name(i, 'actuator')!r}"
+        for i, joint in enumerate(self.driven.tolist()):
+            if joint < 0 or _KINDS[m.jnt_type[joint]] != "prismatic":
+                yield f"actuator {self._name(i, 'actuator')!r}, which does not drive a prismatic joint"
         for i in range(m.ntendon):
             yield f"tendon {self._name(i, 'tendon')!r} with its stiffness, damping, friction, and limits"
         if m.nflex or m.nplugin:

@@ -6,8 +6,7 @@ joints outside of the articulation.
 """
 
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -39,51 +38,35 @@ _KINDS = {
 _PER_DEGREE = np.pi / 180.0
 
 
-@dataclass(frozen=True)
-class _Prim:
-    """Prim with kind, name, applied schemas, attribute lines, and child prims."""
-
-    kind: str
-    name: str
-    schemas: tuple[str, ...] = ()
-    lines: list[str] = field(default_factory=list)
-    inside: list["_Prim"] = field(default_factory=list)
-    about: tuple[str, ...] = ()
-
-    def text(self, indent: int = 0) -> Iterator[str]:
-        """Yield the lines of the prim."""
-        pad = "    " * indent
-        yield f'{pad}def {self.kind} "{self.name}"'
-        about = [*self.about]
-        if self.schemas:
-            about.append(f"prepend apiSchemas = [{', '.join(json.dumps(each) for each in self.schemas)}]")
-        if about:
-            yield f"{pad}("
-            yield from (f"{pad}    {line}" for line in about)
-            yield f"{pad})"
-        yield f"{pad}{{"
-        yield from (f"{pad}    {line}" for line in self.lines)
-        for each in self.inside:
-            yield from each.text(indent + 1)
-        yield f"{pad}}}"
-
-
 def written(model: Model) -> tuple[str, None]:
     """Return the content of the file."""
     tree = in_single_axes(model, ("universal",), _cross)
-    name = json.dumps(model.name, ensure_ascii=False)
-    root = _Prim("Xform", _ROOT, ("PhysicsArticulationRootAPI",), about=(f"doc = {name}",))
     first = next(joint for joint in tree.joints if joint.cut)
-    root.inside.append(_scene(model))
-    root.inside.append(_parts())
-    for body in tree.bodies:
-        root.inside.append(_body(body))
+    inside = [_scene(model), _parts(), *(_body(body) for body in tree.bodies)]
     for joint in tree.joints:
         if joint.kind != "free":
-            root.inside.append(_joint(tree, joint, loop=joint.cut and joint is not first))
+            inside.append(_joint(tree, joint, loop=joint.cut and joint is not first))
     held = [f"rel physics:body1 = </{_ROOT}/{_BASE}>"]
-    root.inside.append(_Prim("PhysicsFixedJoint", "fixed_base", lines=held))
-    return HEADER + "\n".join(root.text()) + "\n", None
+    inside.append(_prim("PhysicsFixedJoint", "fixed_base", lines=held))
+    about = [f"doc = {json.dumps(model.name, ensure_ascii=False)}"]
+    root = _prim("Xform", _ROOT, ("PhysicsArticulationRootAPI",), [], inside, about)
+    return HEADER + "\n".join(root) + "\n", None
+
+
+def _prim(
+    kind: str,
+    name: str,
+    schemas: Sequence[str] = (),
+    lines: Sequence[str] = (),
+    inside: Sequence[list[str]] = (),
+    about: Sequence[str] = (),
+) -> list[str]:
+    """Return the lines of a prim with applied schemas, attribute lines, child prims, and other metadata."""
+    if schemas:
+        about = [*about, f"prepend apiSchemas = [{', '.join(json.dumps(each) for each in schemas)}]"]
+    head = ["(", *(f"    {line}" for line in about), ")"] if about else []
+    body = [f"    {line}" for line in [*lines, *(line for child in inside for line in child)]]
+    return [f'def {kind} "{name}"', *head, "{", *body, "}"]
 
 
 def _cross(joint: Joint, body: Body) -> Body:
@@ -92,7 +75,7 @@ def _cross(joint: Joint, body: Body) -> Body:
     return Body("", mass=_CROSS_MASS * body.mass, inertia=moment * np.eye(3))
 
 
-def _scene(model: Model) -> _Prim:
+def _scene(model: Model) -> list[str]:
     """Create the physics scene with gravity."""
     gravity = np.zeros(3) if model.gravity is None else model.gravity
     size = float(np.linalg.norm(gravity))
@@ -101,25 +84,25 @@ def _scene(model: Model) -> _Prim:
         f"vector3f physics:gravityDirection = {_tuple(direction)}",
         f"float physics:gravityMagnitude = {spelled(size)}",
     ]
-    return _Prim("PhysicsScene", "physics", lines=lines)
+    return _prim("PhysicsScene", "physics", lines=lines)
 
 
-def _parts() -> _Prim:
+def _parts() -> list[str]:
     """Create a collision group: parts collide only with other objects of a scene."""
     lines = [
         f"rel collection:colliders:includes = </{_ROOT}>",
         f"rel physics:filteredGroups = </{_ROOT}/parts>",
     ]
-    return _Prim("PhysicsCollisionGroup", "parts", ("CollectionAPI:colliders",), lines)
+    return _prim("PhysicsCollisionGroup", "parts", ("CollectionAPI:colliders",), lines)
 
 
-def _body(body: Body) -> _Prim:
+def _body(body: Body) -> list[str]:
     """Create the prim of a body."""
     shapes = [_shape(shape, number, body.color) for number, shape in enumerate(body.shapes, 1)]
     if body.name == WORLD:
         # The mass of the fixed base has no effect, but without it the mass would be computed from the shapes.
         schemas, lines = ("PhysicsRigidBodyAPI", "PhysicsMassAPI"), ["float physics:mass = 1.0"]
-        return _Prim("Xform", _BASE, schemas, lines, shapes)
+        return _prim("Xform", _BASE, schemas, lines, shapes)
     moments, axes = np.linalg.eigh(body.inertia)
     axes[:, 2] *= np.sign(np.linalg.det(axes))
     lines = [
@@ -129,10 +112,10 @@ def _body(body: Body) -> _Prim:
         f"float3 physics:diagonalInertia = {_tuple(moments)}",
         f"quatf physics:principalAxes = {_quaternion(axes)}",
     ]
-    return _Prim("Xform", body.name, ("PhysicsRigidBodyAPI", "PhysicsMassAPI"), lines, shapes)
+    return _prim("Xform", body.name, ("PhysicsRigidBodyAPI", "PhysicsMassAPI"), lines, shapes)
 
 
-def _shape(shape: Shape, number: int, color: tuple[float, ...]) -> _Prim:
+def _shape(shape: Shape, number: int, color: tuple[float, ...]) -> list[str]:
     """Create the prim of a shape."""
     lines = [
         f"double radius = {spelled(shape.radius)}",
@@ -142,10 +125,10 @@ def _shape(shape: Shape, number: int, color: tuple[float, ...]) -> _Prim:
     if shape.length:
         lines += [f"double height = {spelled(shape.length)}", 'uniform token axis = "Z"']
     kind = "Cylinder" if shape.length else "Sphere"
-    return _Prim(kind, f"{kind.lower()}_{number}", ("PhysicsCollisionAPI",), lines)
+    return _prim(kind, f"{kind.lower()}_{number}", ("PhysicsCollisionAPI",), lines)
 
 
-def _joint(model: Model, joint: Joint, loop: bool) -> _Prim:
+def _joint(model: Model, joint: Joint, loop: bool) -> list[str]:
     """Create the prim of a joint."""
     parent, child = model.body(joint.parent), model.body(joint.child)
     place = child.placed(joint.point)
@@ -177,7 +160,7 @@ def _joint(model: Model, joint: Joint, loop: bool) -> _Prim:
             lines.append(f"float drive:{kind}:physics:maxForce = {spelled(joint.effort)}")
     if joint.armature:
         lines.append(f"float physxJoint:armature = {spelled(joint.armature)}")
-    return _Prim(_KINDS[joint.kind], joint.name, tuple(schemas), lines)
+    return _prim(_KINDS[joint.kind], joint.name, tuple(schemas), lines)
 
 
 def _placed(place: Array, R: Array) -> list[str]:
