@@ -13,20 +13,18 @@ from ..backend.kernel import FORMULATIONS
 from ..backend.numpy_kernel import NumpyKernel
 from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.inverse_kinematics import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .root_finding import at_each, minima, minimum, root, runs, turning_points
+from .root_finding import runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
 _CARE = 2.0
-# Lower bounds of the singular values must exceed four times that value to skip an interval.
-_SURE = 4.0 * _CARE
 # Smallest singular values below this fraction of the largest are rounding errors.
 _NOTHING = 1e-13
 # Rounding error of a zero determinant, relative to the product of the column norms.
@@ -35,6 +33,8 @@ _FLOOR = 1e-14
 _SHORT = 1e-9
 # Minima with a smaller relative depth are rounding errors.
 _SHALLOW = 1e-12
+# Accuracy of the time of a minimum relative to its interval: nearby values differ by its square.
+_LOCATED = 1e-8
 _INSTANTS = 512
 _CHUNK = 1 << 13
 
@@ -161,7 +161,7 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     [(3.6705, -1, 1)]
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, time), everywhere=False).crossings
+        return _Search(robot, path, _checked(robot, path, time)).crossings
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
@@ -275,28 +275,33 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
 
 
 class _Samples(NamedTuple):
-    """Determinant, smallest, and largest singular value of the scaled H at times of shape (n,)."""
+    """Properties of the scaled H at n times, shape (n,) each.
+
+    They are the determinant, the smallest and the largest singular value, the rate of the smallest one (1/s),
+    and the norm of the rate of H (1/s).
+    """
 
     determinant: Array
     smallest: Array
     largest: Array
+    rate: Array
+    speed: Array
 
 
 class _Search:
     """Search for the singular poses of a path by the signs of the smooth det H at its turning points."""
 
-    def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
-        """Sample the path; if ``everywhere`` is False, compute singular values only near possible zeros."""
+    def __init__(self, robot: Robot, path: Path, times: Array) -> None:
+        """Sample the path, and find the crossings and the intervals of singular poses."""
         self.robot, self.path, self.times = robot, path, times
         self.length = characteristic_length(robot) or 1.0
         ends = path(times[[0, -1]])
-        self.reach = float(leg_vectors(robot, *_pose(ends))[2].max()) or 1.0
-        at_times = _in_chunks(lambda part: self._look_about(part, everywhere), times)
+        self.reach = float(leg_vectors(robot, ends.R, ends.t)[2].max()) or 1.0
+        at_times = self._look(times)
         inner = np.setdiff1d(self._inner_points(at_times), times)
-        order = np.argsort(np.concatenate([times, inner]))
-        self.points = np.concatenate([times, inner])[order]
-        looks = [at_times[:, :3], *([self._look(inner)] if len(inner) else [])]
-        self.samples = _Samples(*np.concatenate(looks)[order].T)
+        self.points, order = np.unique(np.concatenate([times, inner]), return_index=True)
+        both = zip(at_times, self._look(inner), strict=True)
+        self.samples = _Samples(*(np.concatenate(parts)[order] for parts in both))
         self.singular = self.samples.smallest <= _NOTHING * self.samples.largest
         self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs(self.singular))
         self.crossings = tuple(self._crossings())
@@ -307,26 +312,34 @@ class _Search:
 
     def approaches(self) -> tuple[SingularityApproach, ...]:
         """Return the local minima of the smallest singular value that are not singular."""
+        from scipy.optimize import minimize_scalar
+        from scipy.signal import find_peaks
+
         times = np.array([found.time for found in self.crossings])
-        order = np.argsort(np.concatenate([self.points, times]), kind="stable")
-        points = np.concatenate([self.points, times])[order]
+        points, order = np.unique(np.concatenate([self.points, times]), return_index=True)
         values = np.concatenate([self.samples.smallest, np.zeros(len(times))])[order]
+        depths = -np.log(np.clip(values, np.finfo(np.float64).tiny, np.finfo(np.float64).max))
+        _, peaks = find_peaks(depths, prominence=_SHALLOW, plateau_size=1)
         found = []
-        for before, i, after in _minima(values):
-            low, high = float(points[before]), float(points[after])
+        for left, right in zip(peaks["left_edges"], peaks["right_edges"], strict=True):
+            low, high = float(points[left - 1]), float(points[right + 1])
             crossed = np.any((times > low) & (times < high))
-            inside = any(start <= points[i] <= end for start, end in self.spans)
+            inside = any(start <= points[left] <= end for start, end in self.spans)
             if not crossed and not inside:
-                time = minimum(self._smallest, low, high)
-                found.append(SingularityApproach(time, self.at(time)))
+                minimum = minimize_scalar(
+                    lambda time: self._look(np.array([time])).smallest[0],
+                    bounds=(low, high),
+                    method="bounded",
+                    options={"xatol": _LOCATED * (high - low)},
+                )
+                found.append(SingularityApproach(float(minimum.x), self.at(float(minimum.x))))
         return tuple(found)
 
-    def _inner_points(self, at_times: Array) -> Array:
+    def _inner_points(self, at_times: _Samples) -> Array:
         """Return points in the intervals in which the smallest singular value may vanish or turn."""
-        times, (_, smallest, _, rate, speed) = self.times, at_times.T
-        may_vanish = smallest[:-1] + smallest[1:] <= _CARE * np.maximum(speed[:-1], speed[1:]) * np.diff(
-            times
-        )
+        times, smallest, rate, speed = self.times, at_times.smallest, at_times.rate, at_times.speed
+        change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
+        may_vanish = smallest[:-1] + smallest[1:] <= _CARE * change
         may_turn = (rate[:-1] < 0.0) & (rate[1:] > 0.0)
         unknown = ~np.isfinite(smallest[:-1] + smallest[1:] + speed[:-1] + speed[1:])
         chosen = np.flatnonzero(may_vanish | may_turn | unknown)
@@ -336,33 +349,29 @@ class _Search:
         floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
         return turning_points(self._determinants, edges, floor)
 
-    def _look_about(self, times: Array, everywhere: bool) -> Array:
-        """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5)."""
-        motion = self.path(times)
-        H, L = self._scaled_H(motion)
-        good, found = _known(H), np.full((len(times), 5), np.nan)
-        H_dot = np.full(H.shape, np.nan)
-        H_dot[good] = _scaled_rate(self.robot, motion[good], self.length)
-        found[:, 4] = speed = np.linalg.norm(H_dot, axis=(-2, -1))
-        near = np.full(len(times), True)
-        if not everywhere:
-            found[:, 0], found[:, 2] = self._determinant(H, L), np.linalg.norm(H, axis=(-2, -1))
-            with np.errstate(divide="ignore"):
-                volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
-            # Lower bound of the smallest singular value: the mean of the others bounds their product.
-            found[:, 1] = least = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
-            change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
-            change = _SURE * np.maximum(change, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1)))
-            doubtful = ~(least[:-1] + least[1:] > change)
-            # Always compute singular values at the ends of a chunk.
-            near = np.append(doubtful, True) | np.append(True, doubtful)
-        u, s, v = last_directions(np.where(good[near, None, None], H[near], 0.0))
-        found[near, :3] = self._sample(H[near], L[near], s)
-        found[near, 3] = np.einsum("ni,nij,nj->n", u, H_dot[near], v)
-        return found
+    def _look(self, times: Array) -> _Samples:
+        """Sample the path; a leg without a direction gives infinite singular values and NaN rates."""
+        if not len(times):
+            return _Samples(*np.empty((5, 0)))
+
+        def once(times: Array) -> Array:
+            motion = self.path(times)
+            H, L = self._scaled_H(motion)
+            known = np.asarray(np.isfinite(H).all(axis=(-2, -1)))
+            H_dot = np.full(H.shape, np.nan)
+            H_dot[known] = _scaled_rate(self.robot, motion[known], self.length)
+            u, s, v = last_directions(np.where(known[:, None, None], H, 0.0))
+            smallest, largest = (np.where(known, s[:, i], np.inf) for i in (-1, 0))
+            rate = np.einsum("ni,nij,nj->n", u, H_dot, v)
+            speed = np.linalg.norm(H_dot, axis=(-2, -1))
+            return np.stack([self._determinant(H, L), smallest, largest, rate, speed], axis=-1)
+
+        return _Samples(*_in_chunks(once, times).T)
 
     def _crossings(self) -> list[SingularityCrossing]:
         """Find one crossing per sign change; points at which H is singular are skipped."""
+        from scipy.optimize import brentq
+
         known = np.flatnonzero(~self.singular & np.isfinite(self.samples.determinant))
         signs = np.sign(self.samples.determinant[known])
         found = []
@@ -370,43 +379,25 @@ class _Search:
             low, high = float(self.points[known[i]]), float(self.points[known[i + 1]])
             if any(low <= start and end <= high for start, end in self.spans):
                 continue
-            ends = root(self._determinants, low, high)
-            time = ends[int(np.argmin(self._smallest(np.array(ends))))]
-            if not self._short(time):
-                found.append(self._crossing(time, ends[1] - ends[0], int(signs[i])))
+            spacing = float(np.spacing(max(abs(low), abs(high))))
+            since_low = brentq(
+                lambda since, low=low: self._determinants(np.array([low + since]))[0],
+                0.0,
+                high - low,
+                xtol=spacing,
+            )
+            time, before = low + float(since_low), int(signs[i])
+            there = self._look(np.array([time]))
+            # A leg of length zero reverses its direction and the sign of det H without a singular pose.
+            if np.isfinite(there.smallest[0]):
+                rate = abs(float(there.rate[0]))
+                rounding = ROUNDING * float(there.largest[0]) / rate if rate else np.inf
+                error = max(spacing, rounding)
+                found.append(SingularityCrossing(time, error, before, -before, self.at(time)))
         return found
-
-    def _crossing(self, time: float, width: float, before: int) -> SingularityCrossing:
-        motion = self.path(np.array([time]))
-        u, s, v = last_directions(self._scaled_H(motion)[0])
-        rate = abs(float(u[0] @ _scaled_rate(self.robot, motion, self.length)[0] @ v[0]))
-        open_ = ROUNDING * float(s[0, 0]) / rate if rate else np.inf
-        return SingularityCrossing(
-            time, max(width, open_), before, -before, singularity(self.robot, motion[0])
-        )
-
-    def _short(self, time: float) -> bool:
-        L = leg_vectors(self.robot, *_pose(self.path(np.array([time]))))[2]
-        return bool(np.min(L) <= _SHORT * self.reach)
-
-    def _look(self, times: Array) -> Array:
-        def once(times: Array) -> Array:
-            H, L = self._scaled_H(self.path(times))
-            s = np.linalg.svd(np.where(_known(H)[:, None, None], H, 0.0), compute_uv=False)
-            return self._sample(H, L, s.astype(np.float64))
-
-        return _in_chunks(once, times)
-
-    def _sample(self, H: Array, L: Array, s: Array) -> Array:
-        """Return the fields of ``_Samples`` as columns, shape (n, 3); inf if a leg has no direction."""
-        smallest, largest = (np.where(_known(H), s[:, i], np.inf) for i in (-1, 0))
-        return np.stack([self._determinant(H, L), smallest, largest], axis=-1)
 
     def _determinants(self, times: Array) -> Array:
         return _in_chunks(lambda part: self._determinant(*self._scaled_H(self.path(part))), times)
-
-    def _smallest(self, times: Array) -> Array:
-        return np.asarray(self._look(times)[:, 1])
 
     def _determinant(self, H: Array, L: Array) -> Array:
         """Return det H scaled by leg lengths, which is smooth even if a leg passes through length zero."""
@@ -420,7 +411,7 @@ class _Search:
 
     def _scaled_H(self, motion: Motion) -> tuple[Array, Array]:
         """Return the dimensionless H, (n, 6, 6), NaN for legs of length zero, and leg lengths (m), (n, 6)."""
-        q, S, L = leg_vectors(self.robot, *_pose(motion))
+        q, S, L = leg_vectors(self.robot, motion.R, motion.t)
         s = S / np.where(_SHORT * self.reach < L, L, np.nan)[..., None]
         rows = np.concatenate([s, cross(q, s) / self.length], axis=-1)
         return np.swapaxes(rows, -1, -2), L
@@ -431,37 +422,13 @@ def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
     return moments_over(wrench_matrix_rate(robot, motion), length)
 
 
-def _known(H: Array) -> Flags:
-    """Return True for matrices in which every leg has a direction, shape (n,)."""
-    return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
-
-
-def _pose(motion: Motion) -> tuple[Array, Array]:
-    return motion.R, motion.t
-
-
-def _minima(values: Array) -> list[tuple[int, int, int]]:
-    """Return (before, index, after) for each inner local minimum, bounded by the first larger entries."""
-    found: list[tuple[int, int, int]] = []
-    for i in np.flatnonzero((values[:-2] >= values[1:-1]) & (values[2:] >= values[1:-1])) + 1:
-        if found and i < found[-1][2]:
-            continue
-        # Compare with the first clearly larger values, because neighbors may differ by rounding only.
-        higher = (values > values[i] * (1.0 + _SHALLOW)) & np.isfinite(values)
-        before, after = np.flatnonzero(higher[:i]), np.flatnonzero(higher[i:])
-        if before.size and after.size:
-            flat = values[before[-1] + 1 : i + after[0]]
-            if np.all(flat >= values[i] * (1.0 - _SHALLOW)):
-                found.append((int(before[-1]), int(i), int(i + after[0])))
-    return found
-
-
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
     """Return the smallest joint sine and the minimum and maximum length of each leg."""
 
     def sought(when: Array) -> Array:
         """Return sines, lengths (m), and negative lengths (m), shape (n, 18)."""
-        _, S, L = leg_vectors(robot, *_pose(path(when)))
+        motion = path(when)
+        _, S, L = leg_vectors(robot, motion.R, motion.t)
         sines = joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
         return np.concatenate([sines, L, -L], axis=-1)
 
@@ -471,13 +438,23 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
 def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
     """Return the time (s) and the value of the minimum of each column of a function, shape (m,) each."""
+    from scipy.optimize import minimize_scalar
+
     points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
-    i, last = np.argmin(_in_chunks(function, points), axis=0), len(points) - 1
-    sampled = points[i]
-    refined = minima(function, points[np.maximum(i - 1, 0)], points[np.minimum(i + 1, last)])
-    given, better = at_each(function, np.array([sampled, refined]))
-    time = np.where(better < given - _SHALLOW * np.abs(given), refined, sampled)
-    return time, at_each(function, time[None])[0]
+    sampled, last = _in_chunks(function, points), len(points) - 1
+    index = np.argmin(sampled, axis=0)
+    time, value = points[index], sampled.min(axis=0)
+    for column, i in enumerate(index):
+        low, high = points[max(i - 1, 0)], points[min(i + 1, last)]
+        minimum = minimize_scalar(
+            lambda time, column=column: function(np.array([time]))[0, column],
+            bounds=(low, high),
+            method="bounded",
+            options={"xatol": _LOCATED * (high - low)},
+        )
+        if minimum.fun < value[column] - _SHALLOW * abs(value[column]):
+            time[column], value[column] = minimum.x, minimum.fun
+    return time, value
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

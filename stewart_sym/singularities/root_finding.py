@@ -1,4 +1,4 @@
-"""Roots and minima of functions of one variable between samples, with many points per bracket."""
+"""Points that separate all roots of a smooth function of one variable between samples."""
 
 from collections.abc import Callable
 
@@ -9,76 +9,16 @@ from ..io.array_types import Array, Flags
 
 Function = Callable[[Array], Array]
 
-_PARTS = 16
 _DEGREE = 20
 # Relative size of the last Chebyshev coefficients at which a piece is resolved.
 _RESOLVED = 1e-11
 _TAIL = 4
 _MOST_HALVINGS = 30
 _MOST_PIECES = 4096
-# Relative accuracy of the location of a minimum: nearby values differ by the square of it.
-_MINIMUM = float(np.sqrt(np.finfo(np.float64).eps))
 
 _ANGLES = np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1)
 _NODES = -np.cos(_ANGLES)
 _TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
-
-
-def root(function: Function, low: float, high: float) -> tuple[float, float]:
-    """Return the narrowest floating-point bracket of a sign change, or twice the root.
-
-    The signs at ``low`` and ``high`` must differ.
-    """
-    side = float(np.sign(function(np.array([low]))[0]))
-    while True:
-        inner = _inside(low, high)
-        if not inner.size:
-            return low, high
-        signs = np.sign(function(inner))
-        if np.any(signs == 0.0):
-            low = high = float(inner[np.argmax(signs == 0.0)])
-            return low, high
-        points = np.concatenate([[low], inner, [high]])
-        first = int(np.argmax(np.append(signs != side, True)))
-        low, high = float(points[first]), float(points[first + 1])
-
-
-def minimum(function: Function, low: float, high: float) -> float:
-    """Return the location of the only minimum in [low, high], as accurate as the function values allow."""
-    return float(minima(lambda points: function(points)[:, None], np.array([low]), np.array([high]))[0])
-
-
-def at_each(function: Function, points: Array) -> Array:
-    """Evaluate columns of a function, (k,) to (k, m), of increasing numbers at individual points (n, m)."""
-    every, place = np.unique(points, return_inverse=True)
-    return function(every)[place.reshape(points.shape), np.arange(points.shape[1])]
-
-
-def minima(function: Function, low: Array, high: Array) -> Array:
-    """Return the location of the minimum of each column of a function, (k,) to (k, m), shape (m,).
-
-    Column j is minimized between ``low[j]`` and ``high[j]``.
-    """
-    goal = _MINIMUM * (high - low)
-    points = _between(low, high)
-    values = at_each(function, points)
-    while True:
-        i = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=0)[None]
-        best, least = (np.take_along_axis(x, i, axis=0)[0] for x in (points, values))
-        low = np.where(points < best, points, -np.inf).max(axis=0)
-        high = np.where(points > best, points, np.inf).min(axis=0)
-        low, high = (np.where(np.isfinite(end), end, best) for end in (low, high))
-        inner = _between(low, high)
-        # No floating-point number exists between neighboring numbers.
-        new = np.any((inner > low) & (inner < high) & (inner != best), axis=0)
-        if not np.any((high - low > goal) & new):
-            return np.asarray(best)
-        # A point that differs from the best only by rounding would remove one of its sides.
-        inner = np.where(np.abs(inner - best) < 1e-3 / _PARTS * (high - low), best, inner)
-        points = np.concatenate([inner, [best]])
-        values = at_each(function, points)
-        # Keep the best point even if rounding makes another one appear better.
-        values = np.where(points == best, np.minimum(values, least), values)
 
 
 def turning_points(function: Function, edges: Array, floor: Array) -> Array:
@@ -112,15 +52,6 @@ def turning_points(function: Function, edges: Array, floor: Array) -> Array:
         pieces = np.concatenate([np.stack([left[:, 0], cut], axis=1), np.stack([cut, left[:, 1]], axis=1)])
         noise = np.tile(noise[~done], 2)
     return np.unique(np.concatenate([np.empty(0), *found]))
-
-
-def _inside(low: float, high: float) -> Array:
-    points = _between(low, high)
-    return np.unique(points[(points > low) & (points < high)])
-
-
-def _between(low: Array | float, high: Array | float) -> Array:
-    return np.linspace(low, high, _PARTS + 1)
 
 
 def _zeros(series: Array) -> Array:
