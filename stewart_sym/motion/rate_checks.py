@@ -41,7 +41,7 @@ def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
         change, integral = value - value[0], make_interp_spline(since, rate).antiderivative()(since)
         trapezoids = 0.5 * np.diff(since)[:, None] * (rate[1:] + rate[:-1])
         coarse = _rms(integral - np.cumsum(np.vstack([np.zeros_like(rate[:1]), trapezoids]), axis=0))
-        noise = _SURE * (_noise(value) + _noise(rate) * spread) + coarse
+        noise = _SURE * (_rms(noise_of(value)) + _rms(noise_of(rate)) * spread) + coarse
         size, expected = _rms(change), _rms(integral)
         if max(size, expected) <= noise:
             continue
@@ -61,12 +61,12 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _noise(values: Array) -> float:
-    """Return the noise of samples, whose differences of high order contain little of a motion."""
+def noise_of(values: Array) -> Array:
+    """Return the noise of each column of samples; differences of high order contain little of a motion."""
     if len(values) <= 2 * _ORDER:
-        return 0.0
+        return np.zeros(values.shape[1:])
     scatter = np.median(np.abs(np.diff(values, _ORDER, axis=0)), axis=0)
-    return _rms(scatter) / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER)))
+    return np.asarray(scatter / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * _ORDER, _ORDER))))
 
 
 def _without_drift(values: Array, most: float) -> Array:
