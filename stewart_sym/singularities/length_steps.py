@@ -300,31 +300,26 @@ def jump(time: Array, L: Array) -> int | None:
     neighboring samples, and so is the resulting change of length per step. After a longer time step only this
     change is large. Noise after a shorter time step makes only the accelerations large.
     """
+    from scipy.ndimage import maximum_filter
+
     h = np.diff(elapsed(time))[:, None]
-    if len(h) < 5:
+    if len(h) < 6:
         return None
     bent = 2.0 * np.diff(np.diff(L, axis=0) / h, axis=0) / (h[1:] + h[:-1])
     steps = np.abs(np.diff(L, axis=0))
     resolution = float(np.min(steps[steps > 0.0], initial=np.inf))
     floor = 4.0 * resolution if np.isfinite(resolution) else 0.0
     # Entry i belongs to sample i + 1; a jump from sample i + 1 to i + 2 affects entries i and i + 1.
-    seconds = (bent * h[1:] * h[:-1], bent)
-    sizes = [np.max(_of_both(second), axis=-1) for second in seconds]
-    largest = [np.max(np.abs(second), axis=-1) for second in seconds]
-    for i in np.flatnonzero(sizes[0] > floor):
-        low, high = max(i - _SURROUNDINGS, 0), i + 2 + _SURROUNDINGS
-        around = [np.concatenate([most[low : max(i - 1, 0)], most[i + 3 : high]]) for most in largest]
-        if around[0].size and all(
-            size[i] > _JUMP * np.max(near) for size, near in zip(sizes, around, strict=True)
-        ):
-            return int(i + 2)
-    return None
-
-
-def _of_both(second: Array) -> Array:
-    """Return the smaller magnitude of each entry and the next if the sign changes, else 0."""
-    turned = second[:-1] * second[1:] < 0.0
-    return np.where(turned, np.minimum(np.abs(second[:-1]), np.abs(second[1:])), 0.0)
+    offsets = np.arange(-_SURROUNDINGS - 1, _SURROUNDINGS + 2)
+    neighbors = (offsets < -1) | (offsets > 2)
+    jumps = np.full(len(bent) - 1, True)
+    for second, least in ((bent * h[1:] * h[:-1], floor), (bent, 0.0)):
+        size = np.abs(second)
+        turned = second[:-1] * second[1:] < 0.0
+        both = np.where(turned, np.minimum(size[:-1], size[1:]), 0.0).max(axis=-1)
+        around = maximum_filter(size.max(axis=-1), footprint=neighbors, mode="constant")[:-1]
+        jumps &= both > np.maximum(_JUMP * around, least)
+    return int(np.argmax(jumps)) + 2 if jumps.any() else None
 
 
 def step_beyond_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array) -> int | None:
