@@ -385,21 +385,14 @@ def _durations(h: Array, rates: Array, change: Array) -> Array:
     ``rates`` is the sum of s' at both ends; ``change`` is the change of s'', which is linear in s.
     """
     moving = np.where(rates > 0.0, rates, 1.0)
-    plain, y = 2.0 * h / moving, change * h / moving**2
-    root = np.sqrt(np.abs(y))
-    safe = np.where(root > 0.0, root, 1.0)
-    with np.errstate(invalid="ignore"):
-        curved = np.where(y > 0.0, np.arctanh(np.minimum(safe, 1.0 - 1e-15)), np.arctan(safe)) / safe
-    return np.asarray(plain * np.where(root > 1e-4, curved, 1.0 + y / 3.0))
+    y = np.minimum(change * h / moving**2, (1.0 - 1e-15) ** 2)
+    curved = np.abs(y) > 1e-8
+    root = np.sqrt(np.where(curved, y, 0.25).astype(np.complex128))
+    return np.asarray(2.0 * h / moving * np.where(curved, (np.arctanh(root) / root).real, 1.0 + y / 3.0))
 
 
 def _exponentials(y: Array) -> tuple[Array, Array, Array]:
     """Return cosh(r), sinh(r) / r, and (cosh(r) - 1) / r^2 for r^2 = y; trigonometric functions if y < 0."""
-    root = np.sqrt(np.abs(y))
-    safe = np.where(root > 1e-4, root, 1.0)
-    half = 0.5 * safe
-    cosine = np.where(y > 0.0, np.cosh(root), np.cos(root))
-    sine = np.where(y > 0.0, np.sinh(safe), np.sin(safe)) / safe
-    lift = 0.5 * (np.where(y > 0.0, np.sinh(half), np.sin(half)) / half) ** 2
-    small = root <= 1e-4
-    return cosine, np.where(small, 1.0 + y / 6.0, sine), np.where(small, 0.5 + y / 24.0, lift)
+    root = np.sqrt(y.astype(np.complex128))
+    sine, half = (np.sinc(1j * share * root / np.pi).real for share in (1.0, 0.5))
+    return np.cosh(root).real, sine, 0.5 * half**2
