@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,7 +26,7 @@ from ..motion.interpolation import with_rest
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import one_rotation_vector, vector_from_rotation
 from ..motion.straight_line import StraightLinePath
-from ..robot.offset_chains import SLIDING, joint_motion
+from ..robot.offset_chains import SLIDING, columns_of_H, joint_motion
 from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
@@ -35,6 +35,31 @@ Reference = Callable[[Any], Motion]
 """Function time (s) -> reference motion of shape (); references of this package accept arrays of times."""
 Model = Callable[[Motion], Array]
 """Function Motion of shape () -> actuator forces of the model (N), shape (6,)."""
+
+
+class LegStates(NamedTuple):
+    """Points, lengths, rates, and directions of the legs; with joint offsets also H and the joint sines."""
+
+    q: Array
+    L: Array
+    L_dot: Array
+    s: Array
+    H: Array | None = None
+    sine: Array | None = None
+
+
+def leg_states(robot: Robot, state: Motion) -> LegStates:
+    """Compute leg kinematics without the checks of ``inverse_kinematics``, even for very short legs."""
+    if robot.offsets is not None:
+        with np.errstate(all="ignore"):
+            moving = joint_motion(robot, state)
+            sine = np.minimum(moving.at.of_tip / moving.at.L, 1.0)[..., 0]
+        of_legs = moving.at.q, moving.at.L[..., 0], moving.rates[..., SLIDING], moving.at.s
+        return LegStates(*of_legs, columns_of_H(robot, moving.G), sine)
+    q, S, L = leg_vectors(robot, state.R, state.t)
+    with np.errstate(all="ignore"):
+        s = S / L[..., None]
+    return LegStates(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,13 +134,8 @@ class LegSprings(Frozen):
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (..., 6), of any state."""
-        if self.robot.offsets is None:
-            q, S, L = leg_vectors(self.robot, state.R, state.t)
-            L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
-        else:
-            moving = joint_motion(self.robot, state)
-            L, L_dot = moving.at.L[..., 0], moving.rates[..., SLIDING]
-        return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
+        legs = leg_states(self.robot, state)
+        return np.asarray(-self.stiffness * (legs.L - self.rest_length) - self.damping * legs.L_dot)
 
     def energy(self, L: ArrayLike) -> Array:
         """Compute the energy of all springs.
