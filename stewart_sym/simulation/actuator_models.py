@@ -240,37 +240,6 @@ class ComputedTorque:
         return self._law(time, state)
 
 
-@dataclass(frozen=True, eq=False)
-class GravityCompensation(Frozen):
-    """PD control with gravity compensation: H F = g + M_0 u, without inertia forces and load.
-
-    The feedback is u = [k_d (v_w - v) + k_p (t_w - t); k_d (omega_w - omega) + k_p e], with the symbols of
-    ``ModelTorque``. M_0 is the constant ``inertia``, shape (6, 6), for twists [v; omega] in the base frame.
-    """
-
-    model: Model
-    inertia: Array
-    reference: Reference
-    k_p: float
-    k_d: float
-
-    def __post_init__(self) -> None:
-        """Check the gains and the inertia."""
-        _gains(self.k_p, self.k_d)
-        inertia = real_array(self.inertia, "inertia", "a matrix of shape (6, 6)")
-        if inertia.shape != (6, 6):
-            raise ValueError(f"inertia: expected a matrix of shape (6, 6), got {inertia.shape}")
-        self._set({"inertia": inertia})
-
-    def __call__(self, time: float, state: Motion) -> Array:
-        """Compute the forces (N), shape (6,), of a state."""
-        wrench = self.inertia @ np.concatenate(feedback(self.reference(time), state, self.k_p, self.k_d))
-        # At rest the legs apply this wrench if the platform carries the opposite wrench as its load.
-        load = -wrench.reshape(2, 3) @ state.R
-        zero = np.zeros(3)
-        return self.model(Motion._unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
-
-
 def feedback(reference: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
     """Return the feedback accelerations (m/s^2 and rad/s^2) of a state, shape (..., 3) each."""
     vector = one_rotation_vector if state.R.ndim == reference.R.ndim == 2 else vector_from_rotation
