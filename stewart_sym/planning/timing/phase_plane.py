@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...io.array_types import Array, Flags, Indices
+from ...io.array_types import Array, Indices
 from .motor_terms import Rows
 
 # Relative effect of s'' on a quantity, compared with its largest one, below which it does not bound s''.
@@ -110,18 +110,9 @@ def _first_contradiction(low: Array, high: Array) -> Array:
 
 
 def _by_forms(side: Array) -> tuple[Array, Array]:
-    """Split finite bounds into bounds with equal forms (one form) and others; NaN gives no root.
-
-    The number of bounds is the largest one of all nodes.
-    """
-    finite, same = np.isfinite(side[..., 0, 0]), (side[..., 0, :] == side[..., 1, :]).all(axis=-1)
-    return _chosen(side[:, :, :1], finite & same), _chosen(side, finite & ~same)
-
-
-def _chosen(side: Array, chosen: Flags) -> Array:
-    """Move the chosen bounds to the front; others are NaN."""
-    order = np.argsort(~chosen, axis=1, kind="stable")[:, : int(chosen.sum(axis=1).max(initial=0))]
-    return np.take_along_axis(np.where(chosen[..., None, None], side, np.nan), order[..., None, None], axis=1)
+    """Split bounds into the quantities whose two forms are equal, reduced to one form, and the others."""
+    same = (side[..., 0, :] == side[..., 1, :]).all(axis=(0, 2))
+    return side[:, same, :1], side[:, ~same]
 
 
 def _bounding(side: Array) -> Array:
