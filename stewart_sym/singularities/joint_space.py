@@ -314,7 +314,9 @@ def _follow(
     for sample, reason in ((leap, JUMPED), (off, OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
-    _reject_other_rates(time, L, L_dot, L_ddot)
+    contradiction, _ = rate_error(time, np.stack([L, L_dot, np.zeros(L.shape) if L_ddot is None else L_ddot]))
+    if contradiction:
+        raise RatesError(f"L_dot: {contradiction}")
     if robot.offsets is not None:
         # Singular poses of legs with offsets are not predicted, so each sample starts at the previous one.
         return at_rest(robot, first, L, progress)
@@ -347,13 +349,6 @@ def _follow(
         noisy = most > 0.0 and (decided < done or miss <= most)
         raise LostError(decided, UNDECIDED.format(most / _SURE) if noisy else NO_WAY)
     return states.R, states.t
-
-
-def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
-    """Raise RatesError if rates and accelerations belong to another motion than the lengths."""
-    text, _ = rate_error(time, np.stack([L, L_dot, np.zeros(L.shape) if L_ddot is None else L_ddot]))
-    if text:
-        raise RatesError(f"L_dot: {text}")
 
 
 def _reject_crossings(robot: Robot, time: Array, states: State) -> None:

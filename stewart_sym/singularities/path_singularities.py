@@ -7,20 +7,20 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..backend.numpy_kernel import NumpyKernel
 from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.inverse_kinematics import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .root_finding import runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
@@ -37,6 +37,15 @@ _SHALLOW = 1e-12
 _LOCATED = 1e-8
 _INSTANTS = 512
 _CHUNK = 1 << 13
+_DEGREE = 20
+# Relative size of the last Chebyshev coefficients at which a piece is resolved.
+_RESOLVED = 1e-11
+_TAIL = 4
+_MOST_HALVINGS = 30
+_MOST_PIECES = 4096
+
+_NODES = chebyshev.chebpts1(_DEGREE + 1)
+_TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
 
 
 @dataclass(frozen=True, eq=False)
@@ -303,7 +312,7 @@ class _Search:
         both = zip(at_times, self._look(inner), strict=True)
         self.samples = _Samples(*(np.concatenate(parts)[order] for parts in both))
         self.singular = self.samples.smallest <= _NOTHING * self.samples.largest
-        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs(self.singular))
+        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in _runs(self.singular))
         self.crossings = tuple(self._crossings())
 
     def at(self, time: float) -> SingularityResult:
@@ -347,7 +356,7 @@ class _Search:
         # Include the effect of rounded times, for example seconds since 1970.
         moved = np.spacing(np.abs(edges).max(axis=1)) * np.fmax(speed[chosen], speed[chosen + 1])
         floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
-        return turning_points(self._determinants, edges, floor)
+        return _turning_points(self._determinants, edges, floor)
 
     def _look(self, times: Array) -> _Samples:
         """Sample the path; a leg without a direction gives infinite singular values and NaN rates."""
@@ -420,6 +429,56 @@ class _Search:
 def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
     """Return the time derivative of the dimensionless H (1/s), shape (..., 6, 6)."""
     return moments_over(wrench_matrix_rate(robot, motion), length)
+
+
+def _turning_points(function: Callable[[Array], Array], edges: Array, floor: Array) -> Array:
+    """Return sorted points within the edges, shape (m, 2), that separate all roots of a smooth function.
+
+    Each piece is approximated by a Chebyshev series and halved until the series is accurate. The points are
+    the nodes and the zeros of the derivative of the series. One of these points separates any two roots, so
+    the signs at the points reveal all roots. ``floor``, shape (m,), is the rounding error of the function.
+    """
+    found: list[Array] = []
+    pieces, noise = np.asarray(edges, dtype=np.float64).reshape(-1, 2), np.asarray(floor, dtype=np.float64)
+    for halving in range(_MOST_HALVINGS + 1):
+        if not len(pieces):
+            break
+        middle, half = pieces.mean(axis=1)[:, None], 0.5 * (pieces[:, 1:] - pieces[:, :1])
+        nodes = middle + half * _NODES
+        values = function(nodes.ravel()).reshape(nodes.shape)
+        finite = np.asarray(np.isfinite(values).all(axis=1))
+        series = np.where(finite[:, None], values, 0.0) @ _TO_COEFFICIENTS.T
+        largest = np.max(np.abs(series), axis=1)
+        tail = np.max(np.abs(series[:, -_TAIL:]), axis=1)
+        done = finite & (tail <= np.maximum(_RESOLVED * largest, noise))
+        if halving == _MOST_HALVINGS or 2 * np.count_nonzero(~done) > _MOST_PIECES:
+            done[:] = True
+        found.append(nodes[done].ravel())
+        flat = largest <= noise
+        for i in np.flatnonzero(done & finite & ~flat):
+            found.append(middle[i] + half[i] * _zeros(chebyshev.chebder(series[i])))
+        left = pieces[~done]
+        cut = left.mean(axis=1)
+        pieces = np.concatenate([np.stack([left[:, 0], cut], axis=1), np.stack([cut, left[:, 1]], axis=1)])
+        noise = np.tile(noise[~done], 2)
+    return np.unique(np.concatenate([np.empty(0), *found]))
+
+
+def _zeros(series: Array) -> Array:
+    """Return the real zeros in (-1, 1), including zeros within rounding of the real axis."""
+    size = np.max(np.abs(series))
+    trimmed = chebyshev.chebtrim(series, 1e-14 * size) if size else series
+    if len(trimmed) < 2:
+        return np.empty(0)
+    zeros = chebyshev.chebroots(trimmed)
+    real = zeros.real[np.abs(zeros.imag) < 1e-3]
+    return np.asarray(real[np.abs(real) < 1.0])
+
+
+def _runs(flags: Flags) -> list[tuple[int, int]]:
+    """Return first and last index of each run of at least three flags; shorter runs are crossings."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
+    return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]
 
 
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
