@@ -163,8 +163,8 @@ class LegSprings(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelTorque:
-    """Tracking control of a reference motion by inverse dynamics of any model, with feedback of the errors.
+class ComputedTorque:
+    """Tracking control of a reference motion by inverse dynamics, with feedback of the errors.
 
         a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
         alpha = alpha_w + k_d (omega_w - omega) + k_p e
@@ -172,16 +172,46 @@ class ModelTorque:
     The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If model and
     load are exact, the position error satisfies x'' + k_d x' + k_p x = 0. For rotation this holds about a
     fixed axis.
+
+    Attributes
+    ----------
+    robot : Robot or callable
+        Robot model of the controller, or any model: a function from a Motion of shape () to forces (N), shape
+        (6,), such as ``ForceKernel.forces``.
+    reference : callable
+        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
+    k_p : float
+        Gain of position (1/s^2).
+    k_d : float
+        Gain of velocity (1/s).
+    formulation : {"exact", "paper"}, optional
+        Corrected equations or equations as printed; without effect on a model that is a function.
+    backend : {"c", "numpy", "reference"}, optional
+        Implementation of a robot model. The forces are NaN in poses in which the model has no solution.
     """
 
-    model: Model
+    robot: Robot | Model
     reference: Reference
     k_p: float
     k_d: float
+    formulation: Formulation = "exact"
+    backend: Backend = "c"
+    _model: Model = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the gains."""
-        _gains(self.k_p, self.k_d)
+        """Check the gains and prepare the kernel of the model."""
+        for name in ("k_p", "k_d"):
+            number_in(getattr(self, name), name, "a finite gain >= 0", closed=True)
+        model = self.robot
+        if not callable(model):
+            instance(model, Robot, "robot")
+            model = _model(model, self.formulation, self.backend)
+        object.__setattr__(self, "_model", model)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copy and pickle the arguments only, because a kernel cannot be copied."""
+        numbers = self.k_p, self.k_d, self.formulation, self.backend
+        return ComputedTorque, (self.robot, self.reference, *numbers)
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (6,), of a state."""
@@ -191,53 +221,7 @@ class ModelTorque:
         a, alpha = feedback(reference, state, self.k_p, self.k_d)
         a, alpha = reference.a + a, reference.alpha + alpha
         rates = state.omega, state.v, alpha, a
-        return self.model(Motion._unchecked(state.R, state.t, *rates, reference.F_ext, reference.M_ext))
-
-
-@dataclass(frozen=True, eq=False)
-class ComputedTorque:
-    """Computed-torque control: ``ModelTorque`` with the inverse dynamics of a robot as the model.
-
-    Attributes
-    ----------
-    robot : Robot
-        Robot model of the controller.
-    reference : callable
-        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
-    k_p : float
-        Gain of position (1/s^2).
-    k_d : float
-        Gain of velocity (1/s).
-    formulation : {"exact", "paper"}, optional
-        Corrected equations or equations as printed.
-    backend : {"c", "numpy", "reference"}, optional
-        Implementation of the model. The forces are NaN in poses in which the model has no solution.
-    """
-
-    robot: Robot
-    reference: Reference
-    k_p: float
-    k_d: float
-    formulation: Formulation = "exact"
-    backend: Backend = "c"
-    _law: ModelTorque = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        """Check the gains and prepare the kernel of the model."""
-        instance(self.robot, Robot, "robot")
-        _gains(self.k_p, self.k_d)
-        model = _model(self.robot, self.formulation, self.backend)
-        law = ModelTorque(model, self.reference, self.k_p, self.k_d)
-        object.__setattr__(self, "_law", law)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Copy and pickle the arguments only, because a kernel cannot be copied."""
-        numbers = self.k_p, self.k_d, self.formulation, self.backend
-        return ComputedTorque, (self.robot, self.reference, *numbers)
-
-    def __call__(self, time: float, state: Motion) -> Array:
-        """Compute the forces (N), shape (6,), of a state."""
-        return self._law(time, state)
+        return self._model(Motion._unchecked(state.R, state.t, *rates, reference.F_ext, reference.M_ext))
 
 
 def feedback(reference: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
@@ -273,12 +257,6 @@ def at_samples(reference: Reference, rate: float, duration: float) -> Reference:
     last = math.ceil(duration * rate)
     motion = reference(np.arange(last + 1) / rate)
     return lambda time: motion[min(round(time * rate), last)]
-
-
-def _gains(k_p: float, k_d: float) -> None:
-    """Check the two gains."""
-    for name, value in (("k_p", k_p), ("k_d", k_d)):
-        number_in(value, name, "a finite gain >= 0", closed=True)
 
 
 def of_six(value: ArrayLike, name: str) -> Array:

@@ -220,7 +220,8 @@ class StickSlip:
         for _ in range(_MOST_SIGNS):
             # Load-dependent friction is linear for an assumed sign of the force between the leg parts.
             share = sign * np.sign(within) * load_share(self.drive, within, sign)
-            F = _solved(A + share[..., None] * by, right - share * own)
+            known = (right - share * own)[..., None]
+            F = np.asarray(np.linalg.solve(A + share[..., None] * by, known)[..., 0])
             before, within = within, own + product(by, F)
             if np.array_equal(np.sign(before), np.sign(within)):
                 break
@@ -349,8 +350,3 @@ class StickSlip:
             done += _WEIGHTS @ (motor * moved)
             lost += _WEIGHTS @ (self.solved(state, motor, piece.modes).friction * moved)
         return done, lost
-
-
-def _solved(A: Array, y: Array) -> Array:
-    """Return the solution of A x = y, shape (..., 6)."""
-    return np.asarray(np.linalg.solve(A, y[..., None])[..., 0])

@@ -10,7 +10,7 @@ from machines import dasgupta
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rotation_from_vector
-from stewart_sym.simulation.actuator_models import ModelTorque, along
+from stewart_sym.simulation.actuator_models import along
 
 ZERO = np.zeros(3)
 FAST = ss.PAPER_PATHS["II"].path
@@ -19,7 +19,7 @@ FAST = ss.PAPER_PATHS["II"].path
 def test_a_perfect_model_tracks_to_rounding_when_its_forces_are_not_held() -> None:
     """To 1e-12 m and 1e-11 rad, the tolerance of the integration, over 20 ms."""
     robot = dasgupta()
-    law = ModelTorque(ss.ForceKernel(robot).forces, along(FAST), 900.0, 60.0)
+    law = ss.ComputedTorque(ss.ForceKernel(robot).forces, along(FAST), 900.0, 60.0)
     start = FAST.sample(0.0)
     run = ss.simulate(
         robot, ss.Motion(R=start.R, t=start.t, omega=ZERO, v=ZERO), law, 0.02, rtol=1e-12, atol=1e-15
