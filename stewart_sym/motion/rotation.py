@@ -266,30 +266,26 @@ def cross_matrix(vector: Array) -> Array:
 # arrays.
 
 
-def turned_by(phi: Array, R: Array) -> Array:
-    """Return exp([phi]x) R, (3, 3), of one rotation vector (rad), (3,), and one rotation."""
-    half = 0.5 * math.hypot(*phi.tolist())
-    w, factor = math.cos(half), 0.5 * math.sin(half) / half if half > 0.0 else 0.5
-    x, y, z = (factor * component for component in phi.tolist())
-    turn = (
-        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
-        (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
-        (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+def one_rotation(e: Array) -> Array:
+    """Return ``rotation_from_quaternion`` of one quaternion, (4,)."""
+    w, x, y, z = e.tolist()
+    s = 2.0 / (w * w + x * x + y * y + z * z)
+    rows = (
+        (1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
+        (s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)),
+        (s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)),
     )
-    return np.asarray(np.array(turn) @ R)
+    return np.array(rows)
 
 
-def one_vector_rate(phi: Array, omega: Array) -> tuple[float, float, float]:
-    """Return ``vector_rate`` of one rotation vector (rad), (3,), and one angular velocity (rad/s), (3,)."""
-    (x, y, z), (u, v, w) = phi.tolist(), omega.tolist()
-    square = max(x * x + y * y + z * z, _TINY)
-    half = 0.5 * math.sqrt(square)
-    c = (1.0 - half / math.tan(half)) / square
-    along, factor = c * (x * u + y * v + z * w), 1.0 - c * square
+def one_quaternion_rate(e: Array, omega: Array) -> tuple[float, float, float, float]:
+    """Return the rate (1/s) of one quaternion, (4,), at one angular velocity (rad/s), (3,), base frame."""
+    (w, x, y, z), (a, b, c) = e.tolist(), (0.5 * omega).tolist()
     return (
-        factor * u - 0.5 * (y * w - z * v) + along * x,
-        factor * v - 0.5 * (z * u - x * w) + along * y,
-        factor * w - 0.5 * (x * v - y * u) + along * z,
+        -a * x - b * y - c * z,
+        a * w + b * z - c * y,
+        b * w + c * x - a * z,
+        c * w + a * y - b * x,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -297,7 +297,8 @@ class _Task(NamedTuple):
         """Compute the fastest motion without jerk limits, and its grid; None if it violates other limits."""
         grid = Grid.of(self.source(limits), _first_nodes(*self.span, self.cells))
         if grid.terms.motors is not None:
-            grid = grid.after(self._replace(cells=min(self.cells, _ROUGH_CELLS)).rough(limits))
+            nodes = _first_nodes(*self.span, min(self.cells, _ROUGH_CELLS))
+            grid = grid.after(Grid.at(self.source(limits), nodes).fastest()[1])
         for turn in range(_ROUNDS):
             self.progress("finding the fastest motion", turn / _ROUNDS)
             grid, profile = grid.fastest(_FEW_TURNS)
@@ -343,43 +344,27 @@ class _Task(NamedTuple):
         """Compute the motion of least peak force in a duration or slightly less."""
         from scipy.optimize import brentq
 
-        own, nodes = force_limits(self.robot, self.limits), quickest.nodes
-        terms = self.source(self.limits)(nodes.s)
-        at_rest = np.abs(terms.e[:, :LEGS]).max(axis=-1)
+        own = force_limits(self.robot, self.limits)
+        at_rest = np.abs(self.source(self.limits)(quickest.nodes.s).e[:, :LEGS]).max(axis=-1)
         held, at_ends = float(at_rest.max()), float(max(at_rest[0], at_rest[-1]))
-        highest = self._peak(quickest)
-        tries = itertools.count(1)
+        highest, tries = self._peak(quickest), itertools.count(1)
+        lowest, best = min(held * _ABOVE_REST, highest), quickest
 
-        def limited(force: float) -> tuple[_Task, PathLimits]:
-            text = f"finding the motion of least peak force, try {next(tries)}"
-            self.progress(text)
-            task = self._replace(progress=lambda _, share=None: self.progress(text, share))
-            return task, replace(self.limits, force=np.minimum(own, force))
-
+        @cache
         def excess(force: float) -> float:
-            task, limits = limited(force)
-            return task._replace(cells=_ROUGH_CELLS).rough(limits).duration ** -2 - duration**-2
+            """Return 1 / time^2 minus its goal, roughly proportional to the force above the static force."""
+            nonlocal best
+            text = f"finding the motion of least peak force, try {next(tries)}"
+            task = self._replace(progress=lambda _, share=None: self.progress(text, share))
+            profile = task.fastest(replace(self.limits, force=np.minimum(own, force)))
+            best = profile if duration >= profile.duration > best.duration else best
+            return float(profile.duration**-2 - duration**-2)
 
-        lowest = min(held * _ABOVE_REST, highest)
-        # 1 / time^2 is roughly proportional to the force above the static force.
         if excess(lowest) >= 0.0:
-            task, limits = limited(lowest)
-            profile = task.fastest(limits)
-            if profile.duration <= duration:
-                passes = held > at_ends * _ABOVE_REST
-                return self._below_rest(profile, duration) if passes else profile
-            force = lowest * (1.0 + _SAME_FORCE)
-        elif excess(highest) <= 0.0:
-            return quickest
-        else:
-            force = float(brentq(excess, lowest, highest, rtol=_SAME_FORCE))
-        while force < highest:
-            task, limits = limited(force)
-            profile = task.fastest(limits)
-            if profile.duration <= duration:
-                return profile
-            force *= 1.0 + 2.0 * max(profile.duration / duration - 1.0, _SAME_FORCE)
-        return quickest
+            return self._below_rest(best, duration) if held > at_ends * _ABOVE_REST else best
+        if excess(highest) > 0.0:
+            brentq(excess, lowest, highest, rtol=_SAME_FORCE)
+        return best
 
     def _below_rest(self, profile: Profile, duration: float) -> Profile:
         """Return ``profile`` or a smooth motion with a smaller peak force.
@@ -399,12 +384,6 @@ class _Task(NamedTuple):
         nodes = profile.nodes
         values = self.source(self.limits)(nodes.s).values(nodes.rate**2, nodes.second)
         return float(np.abs(values[:, :LEGS]).max())
-
-    def rough(self, limits: PathLimits) -> Profile:
-        """Compute an approximation of the fastest motion within limits."""
-        if limits.jerk is not None:
-            return self.fastest(limits)
-        return Grid.at(self.source(limits), _first_nodes(*self.span, self.cells)).fastest()[1]
 
 
 def need_duration(least: Minimize, duration: float | None) -> None:

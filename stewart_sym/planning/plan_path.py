@@ -19,6 +19,7 @@ from ..io.toml_reader import not_negative
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from ..singularities.path_singularities import singularity_crossings
+from ..singularities.singular_poses import singularity
 from .pose_costs import ROOM, PoseCosts
 from .pose_path import Family, PosePath, ViaPose, by_coordinates, poses_of, scales
 
@@ -225,10 +226,9 @@ def _rates(motion: Motion, length: float) -> Array:
 def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Conditions:
     """Compute condition numbers along a path at evenly spaced parameters."""
     motion = path(np.linspace(0.0, 1.0, count))
-    costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        values, signs, _ = costs.plain_conditions(motion.R, motion.t)
-    weight = _rates(motion, costs.length)
+    found = singularity(robot, motion)
+    values, signs = found.condition_number, np.sign(found.determinant)
+    weight = _rates(motion, found.characteristic_length)
     weight[[0, -1]] *= 0.5
     crossed = bool((signs[1:] != signs[:-1]).any())
     mean = float(values @ weight / weight.sum())
@@ -258,9 +258,10 @@ class _Search:
         at = PoseCosts(robot, limits, robot.tool, 1.0, 0.0)
         family = Family.of(poses, at.length)
         R, t = poses_of(family.rows)
-        values, signs, smallest = at.plain_conditions(R, t)
+        found = singularity(robot, (R, t - R @ robot.tool))
+        signs, smallest = np.sign(found.determinant), found.smallest_singular_value
         fixed = np.array([not pose.has_tolerance for pose in poses])
-        need_reachable(at, poses, values, signs)
+        need_reachable(at, poses, found.condition_number, signs)
         chosen = signs[fixed] if fixed.any() else signs
         side = float(chosen[0])
         least = _NEAR * float(np.min(smallest[signs == side]))
@@ -367,7 +368,7 @@ def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[
         most = excess.max(axis=-1)
         if most.max() > ROOM:
             found.append((float(most.max()), name, float(s[np.argmax(most)])))
-    _, signs, _ = costs.plain_conditions(R, t)
+    signs = np.sign(singularity(costs.robot, (R, t - R @ costs.tool)).determinant)
     if (signs != costs.side).any():
         found.append((math.inf, "a singular pose", float(s[np.argmax(signs != costs.side)])))
     return found

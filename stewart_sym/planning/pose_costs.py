@@ -75,14 +75,6 @@ class PoseCosts(Frozen):
         rate[:, 3:] -= cross(R @ self.tool, rate[:, :3])
         return largest * inverse, rate
 
-    def plain_conditions(self, R: Array, t: Array) -> tuple[Array, Array, Array]:
-        """Compute condition numbers, signs of det H, and smallest singular values, shape (n,) each."""
-        H = self._matrices(R, t)[-1]
-        values = np.linalg.svd(H, compute_uv=False)
-        with np.errstate(divide="ignore"):
-            conditions: Array = values[:, 0] / values[:, -1]
-        return conditions, np.sign(np.linalg.det(H)), np.asarray(values[:, -1], dtype=np.float64)
-
     def _matrices(self, R: Array, t: Array) -> tuple[Array, Array, Array, Array]:
         """Compute q, s, L, and H with moments divided by the characteristic length, shape (n, 6, 6)."""
         q, S, L = leg_vectors(self.robot, R, t - R @ self.tool)

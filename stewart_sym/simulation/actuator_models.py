@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,7 +25,7 @@ from ..motion.interpolation import with_rest
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import one_rotation_vector, vector_from_rotation
 from ..motion.straight_line import StraightLinePath
-from ..robot.offset_chains import SLIDING, joint_motion
+from ..robot.offset_chains import SLIDING, columns_of_H, joint_motion
 from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
@@ -34,6 +34,31 @@ Reference = Callable[[Any], Motion]
 """Function time (s) -> reference motion of shape (); references of this package accept arrays of times."""
 Model = Callable[[Motion], Array]
 """Function Motion of shape () -> actuator forces of the model (N), shape (6,)."""
+
+
+class LegStates(NamedTuple):
+    """Points, lengths, rates, and directions of the legs; with joint offsets also H and the joint sines."""
+
+    q: Array
+    L: Array
+    L_dot: Array
+    s: Array
+    H: Array | None = None
+    sine: Array | None = None
+
+
+def leg_states(robot: Robot, state: Motion) -> LegStates:
+    """Compute leg kinematics without the checks of ``inverse_kinematics``, even for very short legs."""
+    if robot.offsets is not None:
+        with np.errstate(all="ignore"):
+            moving = joint_motion(robot, state)
+            sine = np.minimum(moving.at.of_tip / moving.at.L, 1.0)[..., 0]
+        of_legs = moving.at.q, moving.at.L[..., 0], moving.rates[..., SLIDING], moving.at.s
+        return LegStates(*of_legs, columns_of_H(robot, moving.G), sine)
+    q, S, L = leg_vectors(robot, state.R, state.t)
+    with np.errstate(all="ignore"):
+        s = S / L[..., None]
+    return LegStates(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,13 +133,8 @@ class LegSprings(Frozen):
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (..., 6), of any state."""
-        if self.robot.offsets is None:
-            q, S, L = leg_vectors(self.robot, state.R, state.t)
-            L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
-        else:
-            moving = joint_motion(self.robot, state)
-            L, L_dot = moving.at.L[..., 0], moving.rates[..., SLIDING]
-        return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
+        legs = leg_states(self.robot, state)
+        return np.asarray(-self.stiffness * (legs.L - self.rest_length) - self.damping * legs.L_dot)
 
     def energy(self, L: ArrayLike) -> Array:
         """Compute the energy of all springs.
@@ -142,8 +162,8 @@ class LegSprings(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelTorque:
-    """Tracking control of a reference motion by inverse dynamics of any model, with feedback of the errors.
+class ComputedTorque:
+    """Tracking control of a reference motion by inverse dynamics, with feedback of the errors.
 
         a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
         alpha = alpha_w + k_d (omega_w - omega) + k_p e
@@ -151,16 +171,46 @@ class ModelTorque:
     The index w denotes the reference; e is the rotation vector of R_w R^T in the base frame. If model and
     load are exact, the position error satisfies x'' + k_d x' + k_p x = 0. For rotation this holds about a
     fixed axis.
+
+    Attributes
+    ----------
+    robot : Robot or callable
+        Robot model of the controller, or any model: a function from a Motion of shape () to forces (N), shape
+        (6,), such as ``ForceKernel.forces``.
+    reference : callable
+        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
+    k_p : float
+        Gain of position (1/s^2).
+    k_d : float
+        Gain of velocity (1/s).
+    formulation : {"exact", "paper"}, optional
+        Corrected equations or equations as printed; without effect on a model that is a function.
+    backend : {"c", "numpy", "reference"}, optional
+        Implementation of a robot model. The forces are NaN in poses in which the model has no solution.
     """
 
-    model: Model
+    robot: Robot | Model
     reference: Reference
     k_p: float
     k_d: float
+    formulation: Formulation = "exact"
+    backend: Backend = "c"
+    _model: Model = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the gains."""
-        _gains(self.k_p, self.k_d)
+        """Check the gains and prepare the kernel of the model."""
+        for name in ("k_p", "k_d"):
+            number_in(getattr(self, name), name, "a finite gain >= 0", closed=True)
+        model = self.robot
+        if not callable(model):
+            instance(model, Robot, "robot")
+            model = _model(model, self.formulation, self.backend)
+        object.__setattr__(self, "_model", model)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copy and pickle the arguments only, because a kernel cannot be copied."""
+        numbers = self.k_p, self.k_d, self.formulation, self.backend
+        return ComputedTorque, (self.robot, self.reference, *numbers)
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Compute the forces (N), shape (6,), of a state."""
@@ -170,84 +220,7 @@ class ModelTorque:
         a, alpha = feedback(reference, state, self.k_p, self.k_d)
         a, alpha = reference.a + a, reference.alpha + alpha
         rates = state.omega, state.v, alpha, a
-        return self.model(Motion._unchecked(state.R, state.t, *rates, reference.F_ext, reference.M_ext))
-
-
-@dataclass(frozen=True, eq=False)
-class ComputedTorque:
-    """Computed-torque control: ``ModelTorque`` with the inverse dynamics of a robot as the model.
-
-    Attributes
-    ----------
-    robot : Robot
-        Robot model of the controller.
-    reference : callable
-        Function time (s) -> reference Motion with accelerations. Its external load is passed to the model.
-    k_p : float
-        Gain of position (1/s^2).
-    k_d : float
-        Gain of velocity (1/s).
-    formulation : {"exact", "paper"}, optional
-        Corrected equations or equations as printed.
-    backend : {"c", "numpy", "reference"}, optional
-        Implementation of the model. The forces are NaN in poses in which the model has no solution.
-    """
-
-    robot: Robot
-    reference: Reference
-    k_p: float
-    k_d: float
-    formulation: Formulation = "exact"
-    backend: Backend = "c"
-    _law: ModelTorque = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        """Check the gains and prepare the kernel of the model."""
-        instance(self.robot, Robot, "robot")
-        _gains(self.k_p, self.k_d)
-        model = _model(self.robot, self.formulation, self.backend)
-        law = ModelTorque(model, self.reference, self.k_p, self.k_d)
-        object.__setattr__(self, "_law", law)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Copy and pickle the arguments only, because a kernel cannot be copied."""
-        numbers = self.k_p, self.k_d, self.formulation, self.backend
-        return ComputedTorque, (self.robot, self.reference, *numbers)
-
-    def __call__(self, time: float, state: Motion) -> Array:
-        """Compute the forces (N), shape (6,), of a state."""
-        return self._law(time, state)
-
-
-@dataclass(frozen=True, eq=False)
-class GravityCompensation(Frozen):
-    """PD control with gravity compensation: H F = g + M_0 u, without inertia forces and load.
-
-    The feedback is u = [k_d (v_w - v) + k_p (t_w - t); k_d (omega_w - omega) + k_p e], with the symbols of
-    ``ModelTorque``. M_0 is the constant ``inertia``, shape (6, 6), for twists [v; omega] in the base frame.
-    """
-
-    model: Model
-    inertia: Array
-    reference: Reference
-    k_p: float
-    k_d: float
-
-    def __post_init__(self) -> None:
-        """Check the gains and the inertia."""
-        _gains(self.k_p, self.k_d)
-        inertia = real_array(self.inertia, "inertia", "a matrix of shape (6, 6)")
-        if inertia.shape != (6, 6):
-            raise ValueError(f"inertia: expected a matrix of shape (6, 6), got {inertia.shape}")
-        self._set({"inertia": inertia})
-
-    def __call__(self, time: float, state: Motion) -> Array:
-        """Compute the forces (N), shape (6,), of a state."""
-        wrench = self.inertia @ np.concatenate(feedback(self.reference(time), state, self.k_p, self.k_d))
-        # At rest the legs apply this wrench if the platform carries the opposite wrench as its load.
-        load = -wrench.reshape(2, 3) @ state.R
-        zero = np.zeros(3)
-        return self.model(Motion._unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
+        return self._model(Motion._unchecked(state.R, state.t, *rates, reference.F_ext, reference.M_ext))
 
 
 def feedback(reference: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
@@ -282,9 +255,3 @@ def at_samples(reference: Reference, rate: float, duration: float) -> Reference:
     last = math.ceil(duration * rate)
     motion = reference(np.arange(last + 1) / rate)
     return lambda time: motion[min(round(time * rate), last)]
-
-
-def _gains(k_p: float, k_d: float) -> None:
-    """Check the two gains."""
-    for name, value in (("k_p", k_p), ("k_d", k_d)):
-        number_in(value, name, "a finite gain >= 0", closed=True)

@@ -1,7 +1,7 @@
 """Simulation of a robot under actuator forces until a given time or a stop condition.
 
-The integrated coordinates of the orientation are a local chart: the rotation vector relative to a center that
-follows the motion. No orientation is singular in this chart, and R remains orthonormal to rounding.
+The coordinates of the orientation are a quaternion of any length. No orientation is singular in these
+coordinates, and R remains orthonormal to rounding.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ..dynamics.inverse_dynamics import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
 from ..io.array_types import Array
 from ..motion.motion import Motion
-from ..motion.rotation import one_vector_rate, orthonormal, rotation_from_vector, turned_by
+from ..motion.rotation import one_quaternion_rate, one_rotation, quaternion_from_rotation
 from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
@@ -44,8 +44,6 @@ Progress = Callable[[float], None]
 OnForceLimit = Literal["stop", "saturate"]
 METHODS = ("DOP853", "RK45", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
-CHART_RADIUS = 1.0
-"""Rotation angle (rad) from the center at which a new chart begins; a chart is singular at 2 pi."""
 LONGEST = 86_400.0
 """Longest duration of a simulation (s): one day, which takes hours to compute."""
 MOST_INSTANTS = 10_000_000
@@ -229,7 +227,7 @@ def simulate(
 
 @dataclass(eq=False)
 class _Run:
-    """Parts and current state of one simulation, and its integration over all charts."""
+    """Parts and current state of one simulation, and its integration."""
 
     robot: Robot
     accelerations: Callable[[Motion, Array], tuple[Array, int]]
@@ -251,14 +249,12 @@ class _Run:
     # Next trial step (s), None if the solver chooses it; last forces of a sampled law (N).
     step: float | None = None
     sampled: Array | None = None
-    # Chart coordinates, and center of the chart.
+    # Coordinates [t; quaternion; v; omega], shape (13,).
     y: Array = field(init=False)
-    center: Array = field(init=False)
 
     def through(self, state: Motion, duration: float, rate: float | None) -> StopEvent:
         """Integrate until the end or a stop condition, with one call of a sampled law per sample."""
-        self.y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
-        self.center = np.array(state.R)
+        self.y = np.concatenate([state.t, quaternion_from_rotation(state.R), state.v, state.omega])
         sample = 0
         while self.time < duration:
             sample += 1
@@ -271,21 +267,21 @@ class _Run:
                 self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
             while self.time < end:
-                stop = self._chart(end)
+                stop = self._integrated(end)
                 if stop is not None:
                     return stop
         return self._stop() or StopEvent("completed", duration, None, f"ran to its end at {duration:g} s")
 
-    def _chart(self, end: float) -> StopEvent | None:
-        """Integrate in one chart until its boundary or ``end``, and change to the next chart."""
+    def _integrated(self, end: float) -> StopEvent | None:
+        """Integrate until ``end`` or until a leg changes between sticking and slipping."""
         first = None if self.step is None else min(self.step, end - self.time)
         modes = () if self.sticking is None else self.sticking.modes
         solver = self.solver(self._rates, self.time, self.y, end, first_step=first, **self.tolerances)
-        while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
+        while solver.status == "running":
             solver.step()
             if solver.status == "failed":
                 return self._failed(float(solver.t))
-            piece = Piece(solver.t_old, solver.t, solver.dense_output(), self.center, self.sampled, modes)
+            piece = Piece(solver.t_old, solver.t, solver.dense_output(), self.sampled, modes)
             change = None if self.sticking is None else self.sticking.first_change(piece, self.actuators)
             if change is not None:
                 piece = piece._replace(end=change.time)
@@ -300,8 +296,6 @@ class _Run:
             if change is not None:
                 return self._changed(piece)
         self.time, self.step, self.y = float(solver.t), float(solver.h_abs), solver.y
-        if np.linalg.norm(self.y[3:6]) >= CHART_RADIUS:
-            self._recenter(self.y)
         return None
 
     def _stop(self) -> StopEvent | None:
@@ -331,7 +325,7 @@ class _Run:
         """Continue after a leg has changed between sticking and slipping at the end of a piece."""
         assert self.sticking is not None
         self.time, self.step = piece.end, None
-        self._recenter(piece.interpolant(piece.end))
+        self.y = piece.interpolant(piece.end)
         if piece.end <= piece.start and len(self.pieces) > 1:
             self.pieces.pop()
         if self.sticking.stalled:
@@ -340,11 +334,6 @@ class _Run:
         self._settle()
         return None
 
-    def _recenter(self, y: Array) -> None:
-        """Move the center of the chart to the current orientation."""
-        self.center = orthonormal(rotation_from_vector(y[3:6]) @ self.center)
-        self.y = np.concatenate([y[:3], np.zeros(3), y[6:]])
-
     def _settle(self, first: bool = False) -> None:
         """Decide which legs stick, and set their rates to zero."""
         if self.sticking is None:
@@ -352,18 +341,18 @@ class _Run:
         state = self._state()
         F = self.actuators.at(self.time, state, self.sampled)
         still = (self.sticking.begin if first else self.sticking.settled)(self.time, state, F)
-        self.y = np.concatenate([self.y[:6], still.v, still.omega])
+        self.y = np.concatenate([self.y[:7], still.v, still.omega])
 
     def _state(self) -> Motion:
         """Return the current state."""
         return self._at(self.y)
 
     def _at(self, y: Array) -> Motion:
-        """Return the state at chart coordinates, shape (12,), as ``motion_of`` in less time."""
-        return Motion._unchecked(turned_by(y[3:6], self.center), y[:3], omega=y[9:], v=y[6:9])
+        """Return the state at coordinates, shape (13,), as ``motion_of`` in less time."""
+        return Motion._unchecked(one_rotation(y[3:7]), y[:3], omega=y[10:], v=y[7:10])
 
     def _rates(self, time: float, y: Array) -> Array:
-        """Compute the time derivative of the chart coordinates, shape (12,)."""
+        """Compute the time derivative of the coordinates, shape (13,)."""
         if not np.abs(y).max() < _SQUARES_FINITE:
             # NaN makes the solver shorten a step that is much too long.
             return np.full_like(y, math.nan)
@@ -381,7 +370,7 @@ class _Run:
         # A sum is not finite if one of the numbers is not.
         if not math.isfinite(float(acceleration.sum())):
             self.unknown = _unknown(time, loaded, F)
-        return np.concatenate([state.v, one_vector_rate(y[3:6], state.omega), acceleration])
+        return np.concatenate([state.v, one_quaternion_rate(y[3:7], state.omega), acceleration])
 
     def _loaded(self, time: float, state: Motion) -> Motion:
         """Return a state with its load."""

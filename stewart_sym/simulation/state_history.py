@@ -12,13 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
-from ..kinematics.inverse_kinematics import leg_vectors, tip_velocities
 from ..motion.motion import Motion
-from ..motion.rotation import rotation_from_vector
+from ..motion.rotation import rotation_from_quaternion
 from ..reference import newton_euler, offset_joints
-from ..robot.offset_chains import SLIDING, columns_of_H, joint_motion
 from ..robot.robot import Robot
-from .actuator_models import ForceLaw
+from .actuator_models import ForceLaw, leg_states
 
 Load = Callable[[float, Motion], ArrayLike]
 """Function (time in s, state) -> [F_ext; M_ext] (N and N m) in the platform frame, shape (6,)."""
@@ -159,12 +157,11 @@ class Actuators(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """Accepted step: times (s), interpolant of the chart coordinates and center, forces, leg modes."""
+    """Accepted step: times (s), interpolant of the coordinates, forces, leg modes."""
 
     start: float
     end: float
     interpolant: Callable[[Any], Array]
-    center: Array
     sampled: Array | None
     modes: tuple[int, ...] = ()
 
@@ -244,35 +241,10 @@ class SimulationResult(StateHistory):
         return sampled_at(self._robot, self._actuators, self._pieces, when)
 
 
-def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array | None = None) -> Motion:
-    """Convert chart coordinates [t; phi; v; omega], shape (..., 12), to states with a load."""
-    R = rotation_from_vector(y[..., 3:6]) @ center
-    return Motion._unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
-
-
-class LegStates(NamedTuple):
-    """Points, lengths, rates, and directions of the legs; with joint offsets also H and the joint sines."""
-
-    q: Array
-    L: Array
-    L_dot: Array
-    s: Array
-    H: Array | None = None
-    sine: Array | None = None
-
-
-def leg_states(robot: Robot, state: Motion) -> LegStates:
-    """Compute leg kinematics without the checks of ``inverse_kinematics``, even for very short legs."""
-    if robot.offsets is not None:
-        with np.errstate(all="ignore"):
-            moving = joint_motion(robot, state)
-            sine = np.minimum(moving.at.of_tip / moving.at.L, 1.0)[..., 0]
-        of_legs = moving.at.q, moving.at.L[..., 0], moving.rates[..., SLIDING], moving.at.s
-        return LegStates(*of_legs, columns_of_H(robot, moving.G), sine)
-    q, S, L = leg_vectors(robot, state.R, state.t)
-    with np.errstate(all="ignore"):
-        s = S / L[..., None]
-    return LegStates(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
+def motion_of(y: Array) -> Motion:
+    """Convert coordinates [t; quaternion; v; omega], shape (..., 13), to states."""
+    R = rotation_from_quaternion(y[..., 3:7])
+    return Motion._unchecked(R, y[..., :3], y[..., 10:], y[..., 7:10])
 
 
 def sampled_at(
@@ -284,16 +256,16 @@ def sampled_at(
 ) -> StateHistory:
     """Return the history at times (s); ``of`` is the piece of each time, by default the last begun."""
     n = len(when)
-    y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
+    y, F = np.empty((n, 13)), np.empty((n, 6))
     if of is None:
         of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
     order = np.argsort(of, kind="stable")
     for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
         piece = pieces[of[here[0]]]
-        y[here], centers[here] = piece.interpolant(when[here]).T, piece.center
+        y[here] = piece.interpolant(when[here]).T
         if piece.sampled is not None:
             F[here] = actuators.clipped(piece.sampled)
-    motion = motion_of(y, centers)
+    motion = motion_of(y)
     if pieces[0].sampled is None:
         F = actuators.forces(when, motion, None)
     rest = Motion._unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
@@ -309,7 +281,7 @@ def saturation_of(actuators: Actuators, pieces: Sequence[Piece]) -> ForceSaturat
     time, excess = np.zeros(6), np.zeros(6)
     for piece in pieces if np.isfinite(actuators.limit).any() else ():
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        state = motion_of(piece.interpolant(when).T, piece.center)
+        state = motion_of(piece.interpolant(when).T)
         beyond = np.abs(actuators.commanded(when, state, piece.sampled)) - actuators.limit
         excess = np.maximum(excess, beyond.max(axis=0))
         time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])

@@ -8,7 +8,6 @@ transition is a root of the interpolated motion.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -132,12 +131,8 @@ class StickSlip:
             if worst is None:
                 return now
             modes[worst[1]] = worst[2]
-        for some in itertools.product((0, 1, -1), repeat=len(resting)):
-            for leg, mode in zip(resting, some, strict=True):
-                modes[leg] = mode
-            if self._contradiction(state, motor, tuple(modes), resting) is None:
-                break
-        return tuple(modes)
+        # Without consistent modes the next step begins with another change, until the simulation stalls.
+        return now
 
     def _contradiction(
         self, state: Motion, motor: Array, modes: Modes, resting: list[int]
@@ -225,7 +220,8 @@ class StickSlip:
         for _ in range(_MOST_SIGNS):
             # Load-dependent friction is linear for an assumed sign of the force between the leg parts.
             share = sign * np.sign(within) * load_share(self.drive, within, sign)
-            F = _solved(A + share[..., None] * by, right - share * own)
+            known = (right - share * own)[..., None]
+            F = np.asarray(np.linalg.solve(A + share[..., None] * by, known)[..., 0])
             before, within = within, own + product(by, F)
             if np.array_equal(np.sign(before), np.sign(within)):
                 break
@@ -299,7 +295,7 @@ class StickSlip:
 
     def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
         """Return the margin of each leg, shape (n, 6): slip speed (m/s), or remaining friction force (N)."""
-        state = motion_of(piece.interpolant(when).T, piece.center)
+        state = motion_of(piece.interpolant(when).T)
         found = np.array(self.modes) * leg_rates(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
         if resting.any():
@@ -317,7 +313,7 @@ class StickSlip:
 
     def at(self, when: Array, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
         """Return the loaded states at n times within a piece, and the motor forces (N), shape (n, 6)."""
-        states = self.moving(motion_of(piece.interpolant(when).T, piece.center), piece.modes)
+        states = self.moving(motion_of(piece.interpolant(when).T), piece.modes)
         rows = [self.loaded(time, state) for time, state in zip(when.tolist(), states, strict=True)]
         load = {
             name: np.array([getattr(row, name) for row in rows])
@@ -354,8 +350,3 @@ class StickSlip:
             done += _WEIGHTS @ (motor * moved)
             lost += _WEIGHTS @ (self.solved(state, motor, piece.modes).friction * moved)
         return done, lost
-
-
-def _solved(A: Array, y: Array) -> Array:
-    """Return the solution of A x = y, shape (..., 6)."""
-    return np.asarray(np.linalg.solve(A, y[..., None])[..., 0])

@@ -19,7 +19,8 @@ from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 from ..robot.units import Units
-from .state_history import WATCHED, Actuators, LegStates, Piece, StopEvent, leg_states, motion_of
+from .actuator_models import LegStates, leg_states
+from .state_history import WATCHED, Actuators, Piece, StopEvent, motion_of
 
 NEAR_SINGULAR, CROSSING = 48, 49
 """Columns of the margins for the condition number of H and for the sign of det H relative to the start."""
@@ -119,7 +120,7 @@ class Watch:
         robot = self.robot
         k = when.shape[1]
         y = np.concatenate([piece.interpolant(at).T for piece, at in zip(pieces, when, strict=True)])
-        state = motion_of(y, np.repeat([piece.center for piece in pieces], k, axis=0))
+        state = motion_of(y)
         legs = leg_states(robot, state)
         F = np.zeros((when.size, 6))
         if np.isfinite(self.force_limit).any():
@@ -162,7 +163,7 @@ class Watch:
         """Create the stop event for a column of the margins at a time (s)."""
         robot, leg = self.robot, row % 6
         at = np.array([time])
-        state = motion_of(piece.interpolant(at).T, piece.center)
+        state = motion_of(piece.interpolant(at).T)
         legs = leg_states(robot, state)
         units = Units.of(robot)
         unit, turn = units.length, units.angle

@@ -9,7 +9,6 @@ its sign. It also fails if the side of the pose is undecided because of the nois
 
 from __future__ import annotations
 
-import itertools
 import os
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import deviations, finite_array, instance, real_array
-from ..io.array_types import Array
+from ..io.array_types import Array, Indices
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..kinematics.forward_kinematics import (
@@ -43,10 +42,10 @@ from ..motion.trajectory_format import PLAIN, TrajectoryFormat
 from ..results import SINGULAR
 from ..robot.robot import Robot
 from . import length_steps
-from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
+from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, State, at_rest, some, walked
 from .path_singularities import singularity_crossings
 
-# Estimates of noise: number of samples, order of differences, and median of a standard normal distribution.
+# Smallest number of samples for an estimate of the noise.
 _FEWEST_OF_NOISE = 40
 JUMPED = "the lengths jump here: no motion with the accelerations of the neighboring samples makes this step"
 OFF_RATES = "the step in lengths from the previous sample contradicts the rates at both samples"
@@ -275,15 +274,12 @@ def read_trajectory(
     return on_platform(robot, read_log_of(robot, path, file_format, smoothing), guess)
 
 
-def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
+def _in_parts(function: Callable[[Indices], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
     """Evaluate two vectors, shape (n, 3), in parts of the samples to limit memory."""
-    found = np.empty((2, count, 3))
-    # No part is small, because NumPy would compute it with other last bits than the C code.
-    starts = [i * _PART for i in range(max(1, count // _PART))]
-    for start, end in itertools.pairwise([*starts, count]):
-        part = slice(start, end)
-        found[0, part], found[1, part] = function(part)
-    return found[0], found[1]
+    # The parts have equal sizes, because NumPy computes small ones with other last bits than the C code.
+    parts = [function(part) for part in np.array_split(np.arange(count), max(1, count // _PART))]
+    first, second = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return first, second
 
 
 def _reject_unsettled(rate: Array) -> None:
@@ -308,7 +304,7 @@ def _follow(
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", check_limits=False)
     if start.status.any():
         raise LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
-    first = pose_of(robot, start.R, start.t, L[:1])
+    first = (start.R, start.t)
     leap = length_steps.jump(np.arange(float(len(L))) if time is None else time, L)
     if time is None:
         time = length_steps.times_from_rates(L, L_dot)
@@ -316,66 +312,57 @@ def _follow(
             raise RatesError("L_dot: the lengths change against their rates: are signs opposite?")
     if len(L) < 2 or time is None or not np.any(L_dot):
         return at_rest(robot, first, L, progress)
-    rates = length_steps.accelerations(time, L, L_dot) if L_ddot is None else L_ddot
+    rates = length_steps.accelerations(time, L_dot) if L_ddot is None else L_ddot
     off = length_steps.step_beyond_rates(time, L, L_dot, rates)
     for sample, reason in ((leap, JUMPED), (off, OFF_RATES)):
         if sample is not None:
             raise LostError(sample, reason)
-    _reject_other_rates(time, L, L_dot, L_ddot)
+    contradiction, _ = rate_error(time, np.stack([L, L_dot, np.zeros(L.shape) if L_ddot is None else L_ddot]))
+    if contradiction:
+        raise RatesError(f"L_dot: {contradiction}")
     if robot.offsets is not None:
         # Singular poses of legs with offsets are not predicted, so each sample starts at the previous one.
         return at_rest(robot, first, L, progress)
-    noise = _noise(L) if sigma is None else sigma
-    R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
-    done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())
-    for run in walked(robot, first, Legs(L, L_dot, rates), np.diff(elapsed(time))):
+    if sigma is None:
+        sigma = scatter(L) if len(L) >= _FEWEST_OF_NOISE else np.zeros(6)
+    noise = np.broadcast_to(sigma, L.shape)
+    parts: list[State] = []
+    done, decided, noisy = 0, len(L), bool(noise.any())
+    for part, near in walked(robot, first, Legs(L, L_dot, rates), np.diff(elapsed(time))):
         progress(f"finding {len(L)} poses", done / len(L))
-        here = slice(done, done + len(run.state.twist))
-        R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]
+        parts.append(part)
         # Samples at which the noise of the lengths could move poses across a singular pose.
-        open_ = _SURE * np.linalg.norm(run.near.legs * noise[here], axis=-1)
-        undecided = np.flatnonzero(run.near.lengths <= open_)
+        open_ = _SURE * np.linalg.norm(near.legs * noise[done : done + len(part.t)], axis=-1)
+        undecided = np.flatnonzero(near.lengths <= open_)
         if noisy and undecided.size:
             decided = min(decided, max(1, done + int(undecided[0])))
-        done, sign = here.stop, run.state.pose.sign[-1]
+        done += len(part.t)
         if decided < done:
             break
+    states = State(*(np.concatenate(each) for each in zip(*parts, strict=True)))
     decided = min(decided, done)
-    same = decided - int(decided == done and sign != first.sign[0])
-    _reject_crossings(robot, time[:same], R[:same], t[:same], twist[:same], rate[:same])
+    same = decided - int(decided == done and states.sign[-1] != states.sign[0])
+    _reject_crossings(robot, time[:same], some(states, slice(same)))
     if same < decided:
         raise LostError(same, CROSSED)
     if decided < len(L):
-        last = slice(decided - 1, decided)
-        miss = newton(robot, L[decided : decided + 1], R[last], t[last]).residual[0]
+        last = some(states, slice(decided - 1, decided))
+        miss = newton(robot, L[decided : decided + 1], last.R, last.t).residual[0]
         most = _SURE * float(noise[decided].max())
-        near = decided < done or miss <= most
-        raise LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
-    return R, t
+        noisy = most > 0.0 and (decided < done or miss <= most)
+        raise LostError(decided, UNDECIDED.format(most / _SURE) if noisy else NO_WAY)
+    return states.R, states.t
 
 
-def _reject_other_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array | None) -> None:
-    """Raise RatesError if rates and accelerations belong to another motion than the lengths."""
-    text, _ = rate_error(time, np.stack([L, L_dot, np.zeros(L.shape) if L_ddot is None else L_ddot]))
-    if text:
-        raise RatesError(f"L_dot: {text}")
-
-
-def _noise(L: Array) -> Array:
-    """Return the standard deviation of each length (m), shape (n, 6), estimated from the lengths."""
-    return np.broadcast_to(scatter(L) if len(L) >= _FEWEST_OF_NOISE else np.zeros(6), L.shape)
-
-
-def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:
+def _reject_crossings(robot: Robot, time: Array, states: State) -> None:
     """Raise LostError for the first sample at or before which the determinant of J changes its sign."""
-    bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
-    known = int(bad[0]) if bad.size else len(twist)
+    bad = np.flatnonzero(~np.isfinite(states.twist + states.rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(time)
     if known > 1:
-        arrays = (R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
-        motion = Motion._unchecked(*(x[:known] for x in arrays))
-        found = singularity_crossings(
-            robot, interpolate(Trajectory(time[:known], motion, "L", range(known))), time[:known]
-        )
+        R, t, _, twist, rate = some(states, slice(known))
+        motion = Motion._unchecked(R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
+        path = interpolate(Trajectory(time[:known], motion, "L", range(known)))
+        found = singularity_crossings(robot, path, time[:known])
         if found:
             raise LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
     if bad.size:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
@@ -20,13 +21,10 @@ from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .root_finding import at_each, minima, minimum, root, runs, turning_points
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
 _CARE = 2.0
-# Lower bounds of the singular values must exceed four times that value to skip an interval.
-_SURE = 4.0 * _CARE
 # Smallest singular values below this fraction of the largest are rounding errors.
 _NOTHING = 1e-13
 # Rounding error of a zero determinant, relative to the product of the column norms.
@@ -35,8 +33,19 @@ _FLOOR = 1e-14
 _SHORT = 1e-9
 # Minima with a smaller relative depth are rounding errors.
 _SHALLOW = 1e-12
+# Accuracy of the time of a minimum relative to its interval: nearby values differ by its square.
+_LOCATED = 1e-8
 _INSTANTS = 512
 _CHUNK = 1 << 13
+_DEGREE = 20
+# Relative size of the last Chebyshev coefficients at which a piece is resolved.
+_RESOLVED = 1e-11
+_TAIL = 4
+_MOST_HALVINGS = 30
+_MOST_PIECES = 4096
+
+_NODES = chebyshev.chebpts1(_DEGREE + 1)
+_TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,7 +170,7 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     [(3.6705, -1, 1)]
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, time), everywhere=False).crossings
+        return _Search(robot, path, _checked(robot, path, time)).crossings
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
@@ -275,30 +284,35 @@ def singular_force_residue(robot: Robot, motion: Motion, formulation: Formulatio
 
 
 class _Samples(NamedTuple):
-    """Determinant, smallest, and largest singular value of the scaled H at times of shape (n,)."""
+    """Properties of the scaled H at n times, shape (n,) each.
+
+    They are the determinant, the smallest and the largest singular value, the rate of the smallest one (1/s),
+    and the norm of the rate of H (1/s).
+    """
 
     determinant: Array
     smallest: Array
     largest: Array
+    rate: Array
+    speed: Array
 
 
 class _Search:
     """Search for the singular poses of a path by the signs of the smooth det H at its turning points."""
 
-    def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
-        """Sample the path; if ``everywhere`` is False, compute singular values only near possible zeros."""
+    def __init__(self, robot: Robot, path: Path, times: Array) -> None:
+        """Sample the path, and find the crossings and the intervals of singular poses."""
         self.robot, self.path, self.times = robot, path, times
         self.length = characteristic_length(robot) or 1.0
         ends = path(times[[0, -1]])
-        self.reach = float(leg_vectors(robot, *_pose(ends))[2].max()) or 1.0
-        at_times = _in_chunks(lambda part: self._look_about(part, everywhere), times)
+        self.reach = float(leg_vectors(robot, ends.R, ends.t)[2].max()) or 1.0
+        at_times = self._look(times)
         inner = np.setdiff1d(self._inner_points(at_times), times)
-        order = np.argsort(np.concatenate([times, inner]))
-        self.points = np.concatenate([times, inner])[order]
-        looks = [at_times[:, :3], *([self._look(inner)] if len(inner) else [])]
-        self.samples = _Samples(*np.concatenate(looks)[order].T)
+        self.points, order = np.unique(np.concatenate([times, inner]), return_index=True)
+        both = zip(at_times, self._look(inner), strict=True)
+        self.samples = _Samples(*(np.concatenate(parts)[order] for parts in both))
         self.singular = self.samples.smallest <= _NOTHING * self.samples.largest
-        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs(self.singular))
+        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in _runs(self.singular))
         self.crossings = tuple(self._crossings())
 
     def at(self, time: float) -> SingularityResult:
@@ -307,26 +321,34 @@ class _Search:
 
     def approaches(self) -> tuple[SingularityApproach, ...]:
         """Return the local minima of the smallest singular value that are not singular."""
+        from scipy.optimize import minimize_scalar
+        from scipy.signal import find_peaks
+
         times = np.array([found.time for found in self.crossings])
-        order = np.argsort(np.concatenate([self.points, times]), kind="stable")
-        points = np.concatenate([self.points, times])[order]
+        points, order = np.unique(np.concatenate([self.points, times]), return_index=True)
         values = np.concatenate([self.samples.smallest, np.zeros(len(times))])[order]
+        depths = -np.log(np.clip(values, np.finfo(np.float64).tiny, np.finfo(np.float64).max))
+        _, peaks = find_peaks(depths, prominence=_SHALLOW, plateau_size=1)
         found = []
-        for before, i, after in _minima(values):
-            low, high = float(points[before]), float(points[after])
+        for left, right in zip(peaks["left_edges"], peaks["right_edges"], strict=True):
+            low, high = float(points[left - 1]), float(points[right + 1])
             crossed = np.any((times > low) & (times < high))
-            inside = any(start <= points[i] <= end for start, end in self.spans)
+            inside = any(start <= points[left] <= end for start, end in self.spans)
             if not crossed and not inside:
-                time = minimum(self._smallest, low, high)
-                found.append(SingularityApproach(time, self.at(time)))
+                minimum = minimize_scalar(
+                    lambda time: self._look(np.array([time])).smallest[0],
+                    bounds=(low, high),
+                    method="bounded",
+                    options={"xatol": _LOCATED * (high - low)},
+                )
+                found.append(SingularityApproach(float(minimum.x), self.at(float(minimum.x))))
         return tuple(found)
 
-    def _inner_points(self, at_times: Array) -> Array:
+    def _inner_points(self, at_times: _Samples) -> Array:
         """Return points in the intervals in which the smallest singular value may vanish or turn."""
-        times, (_, smallest, _, rate, speed) = self.times, at_times.T
-        may_vanish = smallest[:-1] + smallest[1:] <= _CARE * np.maximum(speed[:-1], speed[1:]) * np.diff(
-            times
-        )
+        times, smallest, rate, speed = self.times, at_times.smallest, at_times.rate, at_times.speed
+        change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
+        may_vanish = smallest[:-1] + smallest[1:] <= _CARE * change
         may_turn = (rate[:-1] < 0.0) & (rate[1:] > 0.0)
         unknown = ~np.isfinite(smallest[:-1] + smallest[1:] + speed[:-1] + speed[1:])
         chosen = np.flatnonzero(may_vanish | may_turn | unknown)
@@ -334,35 +356,31 @@ class _Search:
         # Include the effect of rounded times, for example seconds since 1970.
         moved = np.spacing(np.abs(edges).max(axis=1)) * np.fmax(speed[chosen], speed[chosen + 1])
         floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
-        return turning_points(self._determinants, edges, floor)
+        return _turning_points(self._determinants, edges, floor)
 
-    def _look_about(self, times: Array, everywhere: bool) -> Array:
-        """Return samples, the rate of the smallest singular value, and a bound of all rates (1/s), (n, 5)."""
-        motion = self.path(times)
-        H, L = self._scaled_H(motion)
-        good, found = _known(H), np.full((len(times), 5), np.nan)
-        H_dot = np.full(H.shape, np.nan)
-        H_dot[good] = _scaled_rate(self.robot, motion[good], self.length)
-        found[:, 4] = speed = np.linalg.norm(H_dot, axis=(-2, -1))
-        near = np.full(len(times), True)
-        if not everywhere:
-            found[:, 0], found[:, 2] = self._determinant(H, L), np.linalg.norm(H, axis=(-2, -1))
-            with np.errstate(divide="ignore"):
-                volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
-            # Lower bound of the smallest singular value: the mean of the others bounds their product.
-            found[:, 1] = least = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
-            change = np.maximum(speed[:-1], speed[1:]) * np.diff(times)
-            change = _SURE * np.maximum(change, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1)))
-            doubtful = ~(least[:-1] + least[1:] > change)
-            # Always compute singular values at the ends of a chunk.
-            near = np.append(doubtful, True) | np.append(True, doubtful)
-        u, s, v = last_directions(np.where(good[near, None, None], H[near], 0.0))
-        found[near, :3] = self._sample(H[near], L[near], s)
-        found[near, 3] = np.einsum("ni,nij,nj->n", u, H_dot[near], v)
-        return found
+    def _look(self, times: Array) -> _Samples:
+        """Sample the path; a leg without a direction gives infinite singular values and NaN rates."""
+        if not len(times):
+            return _Samples(*np.empty((5, 0)))
+
+        def once(times: Array) -> Array:
+            motion = self.path(times)
+            H, L = self._scaled_H(motion)
+            known = np.asarray(np.isfinite(H).all(axis=(-2, -1)))
+            H_dot = np.full(H.shape, np.nan)
+            H_dot[known] = _scaled_rate(self.robot, motion[known], self.length)
+            u, s, v = last_directions(np.where(known[:, None, None], H, 0.0))
+            smallest, largest = (np.where(known, s[:, i], np.inf) for i in (-1, 0))
+            rate = np.einsum("ni,nij,nj->n", u, H_dot, v)
+            speed = np.linalg.norm(H_dot, axis=(-2, -1))
+            return np.stack([self._determinant(H, L), smallest, largest, rate, speed], axis=-1)
+
+        return _Samples(*_in_chunks(once, times).T)
 
     def _crossings(self) -> list[SingularityCrossing]:
         """Find one crossing per sign change; points at which H is singular are skipped."""
+        from scipy.optimize import brentq
+
         known = np.flatnonzero(~self.singular & np.isfinite(self.samples.determinant))
         signs = np.sign(self.samples.determinant[known])
         found = []
@@ -370,43 +388,25 @@ class _Search:
             low, high = float(self.points[known[i]]), float(self.points[known[i + 1]])
             if any(low <= start and end <= high for start, end in self.spans):
                 continue
-            ends = root(self._determinants, low, high)
-            time = ends[int(np.argmin(self._smallest(np.array(ends))))]
-            if not self._short(time):
-                found.append(self._crossing(time, ends[1] - ends[0], int(signs[i])))
+            spacing = float(np.spacing(max(abs(low), abs(high))))
+            since_low = brentq(
+                lambda since, low=low: self._determinants(np.array([low + since]))[0],
+                0.0,
+                high - low,
+                xtol=spacing,
+            )
+            time, before = low + float(since_low), int(signs[i])
+            there = self._look(np.array([time]))
+            # A leg of length zero reverses its direction and the sign of det H without a singular pose.
+            if np.isfinite(there.smallest[0]):
+                rate = abs(float(there.rate[0]))
+                rounding = ROUNDING * float(there.largest[0]) / rate if rate else np.inf
+                error = max(spacing, rounding)
+                found.append(SingularityCrossing(time, error, before, -before, self.at(time)))
         return found
-
-    def _crossing(self, time: float, width: float, before: int) -> SingularityCrossing:
-        motion = self.path(np.array([time]))
-        u, s, v = last_directions(self._scaled_H(motion)[0])
-        rate = abs(float(u[0] @ _scaled_rate(self.robot, motion, self.length)[0] @ v[0]))
-        open_ = ROUNDING * float(s[0, 0]) / rate if rate else np.inf
-        return SingularityCrossing(
-            time, max(width, open_), before, -before, singularity(self.robot, motion[0])
-        )
-
-    def _short(self, time: float) -> bool:
-        L = leg_vectors(self.robot, *_pose(self.path(np.array([time]))))[2]
-        return bool(np.min(L) <= _SHORT * self.reach)
-
-    def _look(self, times: Array) -> Array:
-        def once(times: Array) -> Array:
-            H, L = self._scaled_H(self.path(times))
-            s = np.linalg.svd(np.where(_known(H)[:, None, None], H, 0.0), compute_uv=False)
-            return self._sample(H, L, s.astype(np.float64))
-
-        return _in_chunks(once, times)
-
-    def _sample(self, H: Array, L: Array, s: Array) -> Array:
-        """Return the fields of ``_Samples`` as columns, shape (n, 3); inf if a leg has no direction."""
-        smallest, largest = (np.where(_known(H), s[:, i], np.inf) for i in (-1, 0))
-        return np.stack([self._determinant(H, L), smallest, largest], axis=-1)
 
     def _determinants(self, times: Array) -> Array:
         return _in_chunks(lambda part: self._determinant(*self._scaled_H(self.path(part))), times)
-
-    def _smallest(self, times: Array) -> Array:
-        return np.asarray(self._look(times)[:, 1])
 
     def _determinant(self, H: Array, L: Array) -> Array:
         """Return det H scaled by leg lengths, which is smooth even if a leg passes through length zero."""
@@ -420,7 +420,7 @@ class _Search:
 
     def _scaled_H(self, motion: Motion) -> tuple[Array, Array]:
         """Return the dimensionless H, (n, 6, 6), NaN for legs of length zero, and leg lengths (m), (n, 6)."""
-        q, S, L = leg_vectors(self.robot, *_pose(motion))
+        q, S, L = leg_vectors(self.robot, motion.R, motion.t)
         s = S / np.where(_SHORT * self.reach < L, L, np.nan)[..., None]
         rows = np.concatenate([s, cross(q, s) / self.length], axis=-1)
         return np.swapaxes(rows, -1, -2), L
@@ -431,29 +431,54 @@ def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
     return moments_over(wrench_matrix_rate(robot, motion), length)
 
 
-def _known(H: Array) -> Flags:
-    """Return True for matrices in which every leg has a direction, shape (n,)."""
-    return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
+def _turning_points(function: Callable[[Array], Array], edges: Array, floor: Array) -> Array:
+    """Return sorted points within the edges, shape (m, 2), that separate all roots of a smooth function.
+
+    Each piece is approximated by a Chebyshev series and halved until the series is accurate. The points are
+    the nodes and the zeros of the derivative of the series. One of these points separates any two roots, so
+    the signs at the points reveal all roots. ``floor``, shape (m,), is the rounding error of the function.
+    """
+    found: list[Array] = []
+    pieces, noise = np.asarray(edges, dtype=np.float64).reshape(-1, 2), np.asarray(floor, dtype=np.float64)
+    for halving in range(_MOST_HALVINGS + 1):
+        if not len(pieces):
+            break
+        middle, half = pieces.mean(axis=1)[:, None], 0.5 * (pieces[:, 1:] - pieces[:, :1])
+        nodes = middle + half * _NODES
+        values = function(nodes.ravel()).reshape(nodes.shape)
+        finite = np.asarray(np.isfinite(values).all(axis=1))
+        series = np.where(finite[:, None], values, 0.0) @ _TO_COEFFICIENTS.T
+        largest = np.max(np.abs(series), axis=1)
+        tail = np.max(np.abs(series[:, -_TAIL:]), axis=1)
+        done = finite & (tail <= np.maximum(_RESOLVED * largest, noise))
+        if halving == _MOST_HALVINGS or 2 * np.count_nonzero(~done) > _MOST_PIECES:
+            done[:] = True
+        found.append(nodes[done].ravel())
+        flat = largest <= noise
+        for i in np.flatnonzero(done & finite & ~flat):
+            found.append(middle[i] + half[i] * _zeros(chebyshev.chebder(series[i])))
+        left = pieces[~done]
+        cut = left.mean(axis=1)
+        pieces = np.concatenate([np.stack([left[:, 0], cut], axis=1), np.stack([cut, left[:, 1]], axis=1)])
+        noise = np.tile(noise[~done], 2)
+    return np.unique(np.concatenate([np.empty(0), *found]))
 
 
-def _pose(motion: Motion) -> tuple[Array, Array]:
-    return motion.R, motion.t
+def _zeros(series: Array) -> Array:
+    """Return the real zeros in (-1, 1), including zeros within rounding of the real axis."""
+    size = np.max(np.abs(series))
+    trimmed = chebyshev.chebtrim(series, 1e-14 * size) if size else series
+    if len(trimmed) < 2:
+        return np.empty(0)
+    zeros = chebyshev.chebroots(trimmed)
+    real = zeros.real[np.abs(zeros.imag) < 1e-3]
+    return np.asarray(real[np.abs(real) < 1.0])
 
 
-def _minima(values: Array) -> list[tuple[int, int, int]]:
-    """Return (before, index, after) for each inner local minimum, bounded by the first larger entries."""
-    found: list[tuple[int, int, int]] = []
-    for i in np.flatnonzero((values[:-2] >= values[1:-1]) & (values[2:] >= values[1:-1])) + 1:
-        if found and i < found[-1][2]:
-            continue
-        # Compare with the first clearly larger values, because neighbors may differ by rounding only.
-        higher = (values > values[i] * (1.0 + _SHALLOW)) & np.isfinite(values)
-        before, after = np.flatnonzero(higher[:i]), np.flatnonzero(higher[i:])
-        if before.size and after.size:
-            flat = values[before[-1] + 1 : i + after[0]]
-            if np.all(flat >= values[i] * (1.0 - _SHALLOW)):
-                found.append((int(before[-1]), int(i), int(i + after[0])))
-    return found
+def _runs(flags: Flags) -> list[tuple[int, int]]:
+    """Return first and last index of each run of at least three flags; shorter runs are crossings."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
+    return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]
 
 
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
@@ -461,7 +486,8 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
     def sought(when: Array) -> Array:
         """Return sines, lengths (m), and negative lengths (m), shape (n, 18)."""
-        _, S, L = leg_vectors(robot, *_pose(path(when)))
+        motion = path(when)
+        _, S, L = leg_vectors(robot, motion.R, motion.t)
         sines = joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
         return np.concatenate([sines, L, -L], axis=-1)
 
@@ -471,13 +497,23 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
 def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
     """Return the time (s) and the value of the minimum of each column of a function, shape (m,) each."""
+    from scipy.optimize import minimize_scalar
+
     points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
-    i, last = np.argmin(_in_chunks(function, points), axis=0), len(points) - 1
-    sampled = points[i]
-    refined = minima(function, points[np.maximum(i - 1, 0)], points[np.minimum(i + 1, last)])
-    given, better = at_each(function, np.array([sampled, refined]))
-    time = np.where(better < given - _SHALLOW * np.abs(given), refined, sampled)
-    return time, at_each(function, time[None])[0]
+    sampled, last = _in_chunks(function, points), len(points) - 1
+    index = np.argmin(sampled, axis=0)
+    time, value = points[index], sampled.min(axis=0)
+    for column, i in enumerate(index):
+        low, high = points[max(i - 1, 0)], points[min(i + 1, last)]
+        minimum = minimize_scalar(
+            lambda time, column=column: function(np.array([time]))[0, column],
+            bounds=(low, high),
+            method="bounded",
+            options={"xatol": _LOCATED * (high - low)},
+        )
+        if minimum.fun < value[column] - _SHALLOW * abs(value[column]):
+            time[column], value[column] = minimum.x, minimum.fun
+    return time, value
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

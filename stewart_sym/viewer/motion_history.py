@@ -38,7 +38,8 @@ from ..motion.straight_line import PAPER_PATHS, StraightLinePath
 from ..motion.trajectory import Replaced, Trajectory, noise_text
 from ..results import OK
 from ..robot.robot import Robot
-from ..simulation.state_history import SimulationResult, StateHistory, leg_states
+from ..simulation.actuator_models import leg_states
+from ..simulation.state_history import SimulationResult, StateHistory
 from ..singularities.path_singularities import singularity_crossings
 from ..singularities.singular_poses import SingularityResult, singularity
 

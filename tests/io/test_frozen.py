@@ -13,7 +13,6 @@ from machines import random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.io.array_types import Frozen
-from stewart_sym.simulation.actuator_models import GravityCompensation
 
 COPIES: dict[str, Callable[[Any], Any]] = {
     "itself": lambda record: record,
@@ -31,7 +30,6 @@ def records() -> dict[str, Frozen]:
         "ForceKernel": ss.ForceKernel(robot, precision="float"),
         "FourierPath": ss.FourierPath([0, 0, 1], [0, 0, 0], np.ones((2, 6)), np.ones((2, 6)), 2.0),
         "LegSprings": ss.LegSprings(robot, 1e6, 1.0, np.arange(6.0)),
-        "GravityCompensation": GravityCompensation(len, np.eye(6), len, 1.0, 1.0),
     }
 
 

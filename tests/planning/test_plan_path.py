@@ -18,10 +18,10 @@ from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotati
 from stewart_sym.motion.straight_line import PAPER_PATHS
 from stewart_sym.planning.path_parameterization import parameterize_path
 from stewart_sym.planning.plan_path import PlannedPath, plan_path
-from stewart_sym.planning.pose_costs import PoseCosts
 from stewart_sym.planning.pose_path import Family, ViaPose
 from stewart_sym.planning.timing.path_terms import PathLimits
 from stewart_sym.singularities.path_singularities import singularity_crossings
+from stewart_sym.singularities.singular_poses import singularity
 
 S = np.linspace(0.0, 1.0, 501)
 NOTHING = np.zeros(6)
@@ -77,10 +77,10 @@ def crossed_pairs(count: int):
         poses = tuple(
             ViaPose(*pose) for pose in zip(rotation_from_vector(rng.normal(size=(2, 3))), t, strict=True)
         )
-        costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
-        k, signs, _ = costs.plain_conditions(np.array([pose.R for pose in poses]), t)
-        if signs[0] == signs[1] and k.max() < 40.0:
-            family = Family.of(poses, costs.length)
+        found_at = singularity(robot, (np.array([pose.R for pose in poses]), t))
+        same_side = np.ptp(np.sign(found_at.determinant)) == 0.0
+        if same_side and found_at.condition_number.max() < 40.0:
+            family = Family.of(poses, found_at.characteristic_length)
             line = family.path(
                 family.coefficients(np.zeros(0), np.zeros((family.rest.shape[1], 7))), np.zeros(3), NOTHING
             )
@@ -165,7 +165,6 @@ def test_a_limit_that_stands_in_the_way_is_named(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr("stewart_sym.planning.plan_path._STARTS", 2)
     robot, poses = crossed_pairs(1)[0]
     R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
-    costs = PoseCosts(robot, PoseLimits(), np.zeros(3), 1.0, 0.0)
-    highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
+    highest = 1.01 * float(singularity(robot, (R, t)).condition_number.max())
     with pytest.raises(ValueError, match=r"^via pose 2: .* pose 1 was found \(obstacle: condition number\)"):
         plan_path(robot, poses, PoseLimits(max_condition=highest))

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...io.array_types import Array, Flags, Indices
+from ...io.array_types import Array, Indices
 from .motor_terms import Rows
 
 # Relative effect of s'' on a quantity, compared with its largest one, below which it does not bound s''.
@@ -110,18 +110,9 @@ def _first_contradiction(low: Array, high: Array) -> Array:
 
 
 def _by_forms(side: Array) -> tuple[Array, Array]:
-    """Split finite bounds into bounds with equal forms (one form) and others; NaN gives no root.
-
-    The number of bounds is the largest one of all nodes.
-    """
-    finite, same = np.isfinite(side[..., 0, 0]), (side[..., 0, :] == side[..., 1, :]).all(axis=-1)
-    return _chosen(side[:, :, :1], finite & same), _chosen(side, finite & ~same)
-
-
-def _chosen(side: Array, chosen: Flags) -> Array:
-    """Move the chosen bounds to the front; others are NaN."""
-    order = np.argsort(~chosen, axis=1, kind="stable")[:, : int(chosen.sum(axis=1).max(initial=0))]
-    return np.take_along_axis(np.where(chosen[..., None, None], side, np.nan), order[..., None, None], axis=1)
+    """Split bounds into the quantities whose two forms are equal, reduced to one form, and the others."""
+    same = (side[..., 0, :] == side[..., 1, :]).all(axis=(0, 2))
+    return side[:, same, :1], side[:, ~same]
 
 
 def _bounding(side: Array) -> Array:
@@ -385,21 +376,14 @@ def _durations(h: Array, rates: Array, change: Array) -> Array:
     ``rates`` is the sum of s' at both ends; ``change`` is the change of s'', which is linear in s.
     """
     moving = np.where(rates > 0.0, rates, 1.0)
-    plain, y = 2.0 * h / moving, change * h / moving**2
-    root = np.sqrt(np.abs(y))
-    safe = np.where(root > 0.0, root, 1.0)
-    with np.errstate(invalid="ignore"):
-        curved = np.where(y > 0.0, np.arctanh(np.minimum(safe, 1.0 - 1e-15)), np.arctan(safe)) / safe
-    return np.asarray(plain * np.where(root > 1e-4, curved, 1.0 + y / 3.0))
+    y = np.minimum(change * h / moving**2, (1.0 - 1e-15) ** 2)
+    curved = np.abs(y) > 1e-8
+    root = np.sqrt(np.where(curved, y, 0.25).astype(np.complex128))
+    return np.asarray(2.0 * h / moving * np.where(curved, (np.arctanh(root) / root).real, 1.0 + y / 3.0))
 
 
 def _exponentials(y: Array) -> tuple[Array, Array, Array]:
     """Return cosh(r), sinh(r) / r, and (cosh(r) - 1) / r^2 for r^2 = y; trigonometric functions if y < 0."""
-    root = np.sqrt(np.abs(y))
-    safe = np.where(root > 1e-4, root, 1.0)
-    half = 0.5 * safe
-    cosine = np.where(y > 0.0, np.cosh(root), np.cos(root))
-    sine = np.where(y > 0.0, np.sinh(safe), np.sin(safe)) / safe
-    lift = 0.5 * (np.where(y > 0.0, np.sinh(half), np.sin(half)) / half) ** 2
-    small = root <= 1e-4
-    return cosine, np.where(small, 1.0 + y / 6.0, sine), np.where(small, 0.5 + y / 24.0, lift)
+    root = np.sqrt(y.astype(np.complex128))
+    sine, half = (np.sinc(1j * share * root / np.pi).real for share in (1.0, 0.5))
+    return np.cosh(root).real, sine, 0.5 * half**2

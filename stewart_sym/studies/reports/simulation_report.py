@@ -12,8 +12,8 @@ from ...motion.rotation import rpy_from_rotation
 from ...motion.sample_times import least_step, time_text
 from ...robot.robot import Robot
 from ...robot.units import Units
-from ...simulation.actuator_models import ForceLaw, LegSprings, Reference
-from ...simulation.state_history import SimulationResult, StateHistory, leg_states
+from ...simulation.actuator_models import ForceLaw, LegSprings, Reference, leg_states
+from ...simulation.state_history import SimulationResult, StateHistory
 from ...simulation.tracking import TrackingError, tracking_error
 from ..common.drawing import DARK, LIMIT, Figure, curves, draw_limits, legend_beside, new_figure
 from ..common.report import Picture, Report
