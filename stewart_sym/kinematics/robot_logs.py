@@ -57,8 +57,7 @@ def log_of(
         _need_lengths(samples, home)
     elif form.pose_mode == "relative":
         home[:3] = _home(robot, samples.source) + robot.tool
-    log = _with_home(trajectory_of(samples, smoothing, progress), home)
-    log = log.of_tool(robot.tool)
+    log = _of_tool(_with_home(trajectory_of(samples, smoothing, progress), home), robot.tool)
     for doubt in log_doubts(robot, log):
         warn(f"{log.source}: {doubt}", TrajectoryWarning)
     return log
@@ -98,3 +97,13 @@ def _with_home(log: Trajectory, home: Array) -> Trajectory:
     found = log.coordinates.copy()
     found[0] += home
     return replace(log, coordinates=found)
+
+
+def _of_tool(log: Trajectory, tool: Array) -> Trajectory:
+    """Return the log with poses and loads that refer to a point (m), platform frame."""
+    if not tool.any():
+        return log
+    if not log.has_lengths:
+        return replace(log, tool=tool)
+    moment = 0.0 if log.M_ext is None else log.M_ext
+    return log if log.F_ext is None else replace(log, M_ext=moment + np.cross(tool, log.F_ext))

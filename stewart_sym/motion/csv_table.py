@@ -30,8 +30,6 @@ _DAY = 86_400_000_000_000
 
 Lines = NDArray[np.int64]
 """Line numbers, from 1."""
-Instants = NDArray[np.datetime64]
-"""Dates, or times of day on 1970-01-01."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,16 +75,20 @@ class CsvTable:
         cell = next(filter(None, self.cells(name)), "")
         return not np.isnat(_instant(cell)) and (not cell.isdigit() or len(cell) > _LONG)
 
-    def instants(self, name: str) -> Instants:
-        """Return dates (ISO 8601), times of day, or nanoseconds since 1970; NaT for other cells.
+    def times(self, name: str) -> tuple[Array, float | None]:
+        """Return times in their unit and None, or seconds after the first date, and this date (s).
 
-        Times of day after midnight follow the ones before.
+        Dates are ISO 8601, nanoseconds since 1970, or times of day, which continue after midnight. Other
+        cells are NaN.
         """
+        if not self.has_instants(name):
+            return self.numbers([name])[:, 0], None
         found = np.array([_instant(cell) for cell in self.cells(name)], "datetime64[ns]")
-        known = ~np.isnat(found)
-        if found[known][0] < np.datetime64("1970-01-02"):
+        known, second = ~np.isnat(found), np.timedelta64(1, "s")
+        first, epoch = found[known][0], np.datetime64(0, "ns")
+        if first < epoch + np.timedelta64(1, "D"):
             found[known] = np.unwrap(found[known].astype(np.int64), period=_DAY).astype("datetime64[ns]")
-        return found
+        return (found - first) / second, float((first - epoch) / second)
 
 
 def read_table(
@@ -125,7 +127,7 @@ def read_table(
         raise ValueError(f"{source}: {finding}; check delimiter and decimal")
     for i in wrong:
         rows[i] = mark * (len(names) - 1)
-    comma = _has_decimal_comma(rows, mark) if decimal is None else decimal == "comma"
+    comma = mark != "," and (_has_decimal_comma(rows, mark) if decimal is None else decimal == "comma")
     units = {name: unit for name, unit in zip(names, stated, strict=True) if unit}
     return CsvTable(source, names, units, np.array(numbers) + 1, rows, mark, "," if comma else ".")
 

@@ -1,4 +1,4 @@
-"""Rates of a log: curves through its poses or leg lengths, with standard deviations, without bad rows."""
+"""Rates of a log: curves through its good rows, with standard deviations, and checks of given rates."""
 
 import itertools
 import math
@@ -25,11 +25,22 @@ _GAINS = np.array([1.0, 1.38, 4.8])
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
-# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction, and the number of rows
-# from which the noise is estimated.
-_CONTRADICTS, _COMPARED_ROWS = 5.0, 1 << 13
+# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
+_CONTRADICTS = 5.0
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0
+# Distance (decades) from a power of 1000 of the ratio of changes to integrals if a unit is wrong.
+_NEAR_UNIT = 0.2
+# Largest differences of changes and integrals, relative to the changes, in addition to noise: of positions
+# and of rates, whose derivatives may have peaks between the samples.
+_OFF_POSITIONS, _OFF_RATES = 0.05, 1.1
+# Number of standard deviations of noise that are no contradiction.
+_SURE = 5.0
+# Orders of the differences that contain noise, for few and for many samples, and median of the magnitude of a
+# standard normal distribution.
+_ORDER, _HIGH_ORDER, _MEDIAN_OF_NORMAL = 6, 10, 0.6745
+# Largest bias of rates, relative to their root mean square, that is no contradiction.
+_BIAS = 0.05
 
 
 def rates_of(
@@ -53,10 +64,7 @@ def rates_of(
     fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
     curves, used = fitted.curves, ~(fitted.outliers | fitted.frozen)
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
-        first = max((len(since) - _COMPARED_ROWS) // 2, 0)
-        some = slice(first, first + _COMPARED_ROWS)
-        estimated = fit_good_rows(since[some], values[some], None, rounding).curves.noise_std
-        _check_options(log, options, curves.noise_std, estimated)
+        _check_options(log, options, curves.noise_std, np.maximum(scatter(values, _HIGH_ORDER), rounding))
     _warn_of_rows(log, used, fitted)
     found, step = curves.evaluate(since), float(np.median(np.diff(since)))
     unsmoothed = _GAINS[2] * curves.noise_std / step**2
@@ -201,3 +209,57 @@ def _coarse_columns(log: LogSamples, step: float, found: Array, noise: Array) ->
         finding = f"about {rows.min():.2g} rows per period of the fastest motion"
         warn_of(log, f"{finding}; accelerations are unknown; log {2 * _FEWEST_PER_PERIOD} rows or more")
     return coarse
+
+
+def rate_error(time: Array, found: Array) -> tuple[str, str | None]:
+    """Compare the integrals of rates with changes of positions, and of second rates with changes of rates.
+
+    ``found``, (3, n, c), are positions, rates, and second rates at increasing times (s). Returns the
+    contradiction or an empty text, and the unit of time in which there is none, or None. A linear drift,
+    for example due to a bias of the rates, is no contradiction. The tolerance includes the difference of
+    two rules of integration, which is large for coarse samples.
+    """
+    if len(time) < _FEWEST_ROWS or not found[1:].any():
+        return "", None
+    since = elapsed(time)
+    span, spread = float(since[-1]), float(np.sqrt(np.sum(np.diff(since) ** 2)))
+    for value, rate, names, most in (
+        (found[0], found[1], ("positions", "rates"), _OFF_POSITIONS),
+        (found[1], found[2], ("rates", "second rates"), _OFF_RATES),
+    ):
+        change = value - value[0]
+        trapezoids, integral = (make_interp_spline(since, rate, k).antiderivative()(since) for k in (1, 3))
+        coarse = _rms(integral - trapezoids)
+        noise = _SURE * (_rms(scatter(value)) + _rms(scatter(rate)) * spread) + coarse
+        size, expected = _rms(change), _rms(integral)
+        if max(size, expected) <= noise:
+            continue
+        decades = math.log10(size / expected) if size and expected else 0.0
+        nearest = 3 * round(decades / 3)
+        if nearest and abs(decades - nearest) < _NEAR_UNIT:
+            unit = {-3: "ms", -6: "us"}.get(nearest)
+            return f"{names[0]} change by {size / expected:.2g} times the integral of {names[1]}", unit
+        off = _rms(_without_drift(change - integral, _BIAS * _rms(rate) * span))
+        if off > most * size + noise + 1e-9 * float(np.abs(change).max()):
+            difference = f"{off / size:.0%} of the changes" if size else "a part"
+            return f"the integral of {names[1]} differs from the {names[0]} by {difference}", None
+    return "", None
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def scatter(values: Array, order: int = _ORDER) -> Array:
+    """Return the noise of samples (n, c) by their differences of high order, (c,); 0 for few samples."""
+    if len(values) <= 2 * order:
+        return np.zeros(values.shape[1])
+    usual = np.median(np.abs(np.diff(values, order, axis=0)), axis=0)
+    return np.asarray(usual / (_MEDIAN_OF_NORMAL * math.sqrt(math.comb(2 * order, order))))
+
+
+def _without_drift(values: Array, most: float) -> Array:
+    """Subtract a straight line with a change of at most ``most`` from each column."""
+    x = np.linspace(-1.0, 1.0, len(values))[:, None]
+    slope = np.sum(x * values, axis=0) / max(float(np.sum(x**2)), 1.0)
+    return np.asarray(values - values.mean(axis=0) - np.clip(slope, -0.5 * most, 0.5 * most) * x)

@@ -33,8 +33,7 @@ def trajectory_of(
     noise, rows without use, gaps, and rates that contradict positions.
     """
     # SciPy is imported only for logs.
-    from .log_rates import as_given, rates_of
-    from .rate_checks import rate_error
+    from .log_rates import as_given, rate_error, rates_of
 
     progress(f"differentiating {len(samples.lines)} rows")
     in_joints = "L" in samples.vectors

@@ -59,8 +59,8 @@ _MOST_DECIMALS = 12
 _FEWEST_VALUES = 8
 # Relative rounding of a decimal number that is multiplied by a power of ten.
 _ROUNDING = 1e-15
-# Largest fraction of rows without numbers.
-_MOST_DROPPED = 0.5
+# Smallest fraction of rows of numbers.
+_FEWEST_GOOD = 0.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,12 +122,14 @@ def read_samples(
     units, places = _units(table, found, stated, defaults)
     components = [each for name in vectors for each in components_of(name)]
     cells = [found[each] for each in (*components, "time") if each in found]
-    numbers, origin = _numbers(table, cells, found.get("time"))
+    numbers, origin, time = table.numbers(cells[: len(components)]), None, None
+    if "time" in found:
+        time, origin = table.times(found["time"])
+        numbers = np.column_stack([numbers, time])
     rows = _good_rows(table, cells, numbers, form.drop_lines)
     numbers, lines = numbers[rows], table.lines[rows]
-    time: Array | None
-    if "time" in found:
-        time, start, units["time_unit"] = _times(numbers[:, -1], origin, units.get("time_unit"))
+    if time is not None:
+        time, start, units["time_unit"] = _times(time[rows], origin, units.get("time_unit"))
     else:
         time, start = _times_of_rows(table, found, lines, form.row_rate), 0.0
     units = _DEFAULTS | units
@@ -150,42 +152,24 @@ def read_samples(
     )
 
 
-def _numbers(table: CsvTable, cells: Sequence[str], clock: str | None) -> tuple[Array, float | None]:
-    """Return the numbers of columns, (n, columns), with NaN for other cells.
-
-    Dates and times of day of a column ``clock`` become seconds after the first one, which is returned (s); it
-    is None for numbers.
-    """
-    if clock is None or not table.has_instants(clock):
-        return table.numbers(cells), None
-    instants = table.instants(clock)
-    first = instants[np.argmin(np.isnat(instants))]
-    since = (instants - first) / np.timedelta64(1, "ns") / 1e9
-    origin = float((first - np.datetime64(0, "ns")) / np.timedelta64(1, "ns") / 1e9)
-    return np.column_stack([table.numbers(cells[:-1]), since]), origin
-
-
 def _good_rows(table: CsvTable, cells: Sequence[str], numbers: Array, drop_lines: Sequence[int]) -> Lines:
     """Return the indices of rows of numbers without dropped lines, with a warning about other rows."""
-    source = table.source
     finite = np.isfinite(numbers)
     good = np.asarray(finite.all(axis=1))
-    dropped = table.lines[~good]
-    if len(dropped) > _MOST_DROPPED * len(good):
+    if np.count_nonzero(good) < _FEWEST_GOOD * len(good):
         worst = int(np.argmin(np.count_nonzero(finite, axis=0)))
         row = int(np.argmin(finite[:, worst]))
         text = safe_text(list(table.cells(cells[worst]))[row][:40])
-        if not finite[:, worst].any() and text.lower() in ("", "nan"):
-            raise ValueError(f"{source}: column {cells[worst]}: no cell is a number; name another in columns")
-        place = f"{source}: line {table.lines[row]}: column {cells[worst]}"
-        remedy = "check decimal; write dates as 2025-12-31 23:59:59.5"
+        place = f"{table.source}: line {table.lines[row]}: column {cells[worst]}"
+        remedy = "check decimal, name another column, or write dates as 2025-12-31 23:59:59.5"
         raise ValueError(f"{place}: expected a number or a time, got {text!r}; {remedy}")
-    if len(dropped):
-        finding = f"{source}: rows without numbers ({line_ranges(dropped)})"
+    if not good.all():
+        finding = f"{table.source}: rows without numbers ({line_ranges(table.lines[~good])})"
         warn(f"{finding}; they are not used", TrajectoryWarning)
     beyond = [line for line in drop_lines if line > table.lines[-1]]
     if beyond:
-        raise ValueError(f"{source}: drop_lines: line {beyond[0]} is beyond the last line {table.lines[-1]}")
+        finding = f"line {beyond[0]} is beyond the last line {table.lines[-1]}"
+        raise ValueError(f"{table.source}: drop_lines: {finding}")
     return np.flatnonzero(good & ~np.isin(table.lines, drop_lines))
 
 
@@ -197,8 +181,8 @@ def _times(numbers: Array, origin: float | None, unit: str | None) -> tuple[Arra
     if origin is not None:
         return numbers, origin, "s"
     first = abs(numbers[0]) if len(numbers) else 0.0
-    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR}
-    unit = unit or next((unit for unit, least in sizes.items() if first > least), "s")
+    sizes = {"us": 1e6 * _YEAR, "ms": 1e3 * _YEAR, "s": -1.0}
+    unit = unit or next(unit for unit, least in sizes.items() if first > least)
     # A division has a smaller rounding error than a multiplication by a power of ten.
     time = numbers / round(1.0 / UNITS["time_unit"][unit])
     if first * UNITS["time_unit"][unit] > _YEAR:

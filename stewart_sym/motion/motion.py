@@ -112,32 +112,6 @@ class Motion(Frozen):
         turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
         return np.concatenate(turned, axis=-1)
 
-    def in_rotated_frames(self, Q: ArrayLike) -> Motion:
-        """Transform the motion to rotated base and platform frames: a vector x becomes Q x.
-
-        Parameters
-        ----------
-        Q : array_like, shape (3, 3)
-            Rotation matrix.
-
-        Returns
-        -------
-        Motion
-            Motion of the same shape.
-
-        Raises
-        ------
-        ValueError
-            If Q is not a rotation. Reflections are rejected, because they would change the sign of omega.
-        """
-        Q = rotations(Q, "Q", batch=False)
-        vectors = {
-            field.name: value @ Q.T
-            for field in fields(self)
-            if field.name != "R" and (value := getattr(self, field.name)) is not None
-        }
-        return Motion(R=Q @ self.R @ Q.T, **vectors)
-
     def at_point(self, point: ArrayLike) -> Motion:
         """Return the motion of another point of the platform in place of the reference point.
 
@@ -416,24 +390,18 @@ def rotations(value: object, name: str, batch: bool = True) -> Array:
     """
     R = finite_array(value, (3, 3), name, batch)
     in_float = np.asarray(value).dtype == np.float32
-    _check_rotation(R, FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE, name)
-    # A Newton step squares the error, so two steps leave only rounding errors of a double.
-    return rotation.orthonormal(rotation.orthonormal(R)) if in_float else R
-
-
-def _check_rotation(R: Array, tolerance: float, name: str) -> None:
-    """Raise ValueError unless matrices, (..., 3, 3), are rotations to a tolerance."""
+    tolerance = FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE
     with np.errstate(over="ignore", invalid="ignore"):
         off = np.max(np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)), axis=(-2, -1))
-        mirrored = np.linalg.det(R) < 0.0
-    bad = ~(off <= tolerance) | mirrored
-    if not np.any(bad):
-        return
-    where = tuple(int(i) for i in np.argwhere(bad)[0])
-    finding = f"{name}^T {name} differs from E by {off[where]:.2g}"
-    if off[where] <= tolerance:
-        finding = f"this one is a reflection (det {name} = -1)"
-    elif off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
-        finding += f": these are numbers of single precision, give {name} as an array of float32"
-    place = f"[{', '.join(map(str, where))}]" if where else ""
-    raise ValueError(f"{name}{place}: expected a rotation matrix, {finding}")
+        bad = ~(off <= tolerance) | (np.linalg.det(R) < 0.0)
+    if np.any(bad):
+        where = tuple(np.argwhere(bad)[0].tolist())
+        finding = f"{name}^T {name} differs from E by {off[where]:.2g}"
+        if off[where] <= tolerance:
+            finding = f"this one is a reflection (det {name} = -1)"
+        elif off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
+            finding += f": these are numbers of single precision, give {name} as an array of float32"
+        place = f"[{', '.join(map(str, where))}]" if where else ""
+        raise ValueError(f"{name}{place}: expected a rotation matrix, {finding}")
+    # A Newton step squares the error, so two steps leave only rounding errors of a double.
+    return rotation.orthonormal(rotation.orthonormal(R)) if in_float else R

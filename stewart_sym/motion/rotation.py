@@ -38,7 +38,7 @@ def rotation_from_rpy(theta: ArrayLike) -> Array:
 def rotation_about_axes(theta: ArrayLike, order: str) -> Array:
     """Return the product of rotations, (..., 3, 3), by angles (rad), (..., 3); "zyx" for Rz Ry Rx."""
     theta = shaped_array(theta, (3,), "theta")
-    axes = _base_axes(theta.size // 3)
+    axes = np.repeat(_ONE[..., None], theta.size // 3, axis=-1)
     for i in map("xyz".index, order):
         _turn(axes, i, theta[..., i].ravel())
     return np.ascontiguousarray(axes.T).reshape(*theta.shape, 3)
@@ -56,7 +56,8 @@ def motion_about_axes(
     for start in range(0, len(given[0]), _BLOCK):
         part = slice(start, start + _BLOCK)
         angle, rate, second = (array[part].T for array in given)
-        axes, turning, change = _base_axes(angle.shape[1]), np.zeros(angle.shape), np.zeros(angle.shape)
+        axes = np.repeat(_ONE[..., None], angle.shape[1], axis=-1)
+        turning, change = np.zeros(angle.shape), np.zeros(angle.shape)
         for i in map("xyz".index, order):
             own = axes[i] * rate[i]
             change += axes[i] * second[i] + cross(turning.T, own.T).T
@@ -67,13 +68,8 @@ def motion_about_axes(
     return R, omega, alpha
 
 
-def _base_axes(count: int) -> Array:
-    """Return the base axes, shape (3, 3, count): axis, component, pose."""
-    return np.repeat(_ONE[..., None], count, axis=-1)
-
-
 def _turn(axes: Array, i: int, angle: Array) -> None:
-    """Rotate the other two of the axes, (3, 3, n), about axis i by angles (rad), (n,)."""
+    """Rotate the other axes, (3, 3, n): axis, component, pose, about axis i by angles (rad), (n,)."""
     j, k = (i + 1) % 3, (i + 2) % 3
     c, s = np.cos(angle), np.sin(angle)
     axes[j], axes[k] = c * axes[j] + s * axes[k], c * axes[k] - s * axes[j]

@@ -180,7 +180,10 @@ class StraightLinePath:
         )
         motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
         Q = np.array(self.axes)
-        return motion if np.array_equal(Q, np.eye(3)) else motion.in_rotated_frames(Q)
+        if np.array_equal(Q, np.eye(3)):
+            return motion
+        vectors = {name: getattr(motion, name) @ Q.T for name in ("t", "omega", "v", "alpha", "a")}
+        return Motion(R=Q @ motion.R @ Q.T, **vectors)
 
 
 def _check_speed(name: str, speed: float, distance: float, tau_f: float, unit: str) -> None:

@@ -1,8 +1,8 @@
 """Trajectories: poses or leg lengths over time, with their uncertainty and the line of each sample."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import NamedTuple, Self
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -172,26 +172,6 @@ class Trajectory:
         R, omega, alpha = rotation.motion_about_axes(q[..., 3:], q_dot[..., 3:], q_ddot[..., 3:], self.order)
         motion = Motion._unchecked(R, q[..., :3], omega, q_dot[..., :3], alpha, q_ddot[..., :3], *loads)
         return motion if self.tool is None else motion.at_point(-self.tool)
-
-    def of_tool(self, tool: Array) -> Self:
-        """Return the trajectory whose poses and loads refer to a point of the platform.
-
-        Parameters
-        ----------
-        tool : ndarray, shape (3,)
-            Point (m), platform frame.
-
-        Returns
-        -------
-        Trajectory
-            The same numbers about this point.
-        """
-        if not tool.any():
-            return self
-        if not self.has_lengths:
-            return replace(self, tool=tool)
-        moment = 0.0 if self.M_ext is None else self.M_ext
-        return self if self.F_ext is None else replace(self, M_ext=moment + np.cross(tool, self.F_ext))
 
     @property
     def in_joints(self) -> bool:

@@ -33,9 +33,9 @@ from ..kinematics.pose_search import newton
 from ..kinematics.robot_logs import read_log_of
 from ..kinematics.trajectory_checks import side_doubt
 from ..motion.interpolation import interpolate
+from ..motion.log_rates import rate_error, scatter
 from ..motion.log_reader import AS_SHOWN
 from ..motion.motion import Motion
-from ..motion.rate_checks import rate_error, scatter
 from ..motion.sample_times import elapsed
 from ..motion.trajectory import SmoothingOptions, Trajectory
 from ..motion.trajectory_format import PLAIN, TrajectoryFormat

@@ -54,6 +54,9 @@ def test_delimiters_and_decimal_marks_are_detected(tmp_path: Path, delimiter: st
     content = text_of(NAMES, TABLE, delimiter, decimal)
     same_poses(log(tmp_path, content))
     same_poses(log(tmp_path, f"sep={delimiter}\n{content}"))
+    same_poses(
+        log(tmp_path, content), Form(decimal="point" if decimal == "." and delimiter != "," else "comma")
+    )
 
 
 @pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "cp1252"])
@@ -273,7 +276,7 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "no numbers": (
         HEAD + "\n" + "\n".join(f"{i},0,0,nan,0,0,0" for i in range(9)),
         Form(),
-        ": column t_z: no cell is a number; name another in ",
+        ": line 2: column t_z: expected a number or a time, got 'nan'; check decimal, name another column",
     ),
     "other dates": (
         HEAD + "\n" + "\n".join(f"31.12.2025 10:00:0{i},0,0,0,0,0,0" for i in range(9)),

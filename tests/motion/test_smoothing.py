@@ -8,7 +8,7 @@ from command_line import rejects
 from noisy_logs import WHITE, Array, Case, case, errors, logged, read
 
 import stewart_sym as ss
-from stewart_sym.motion.rate_checks import rate_error
+from stewart_sym.motion.log_rates import rate_error
 
 
 def within(pair: tuple[Array, Array], deviations: float) -> float:
