@@ -363,7 +363,8 @@ def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Calla
     def full(motion: Motion) -> Array:
         return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    if backend != "c" or (robot.offsets is not None and robot.offsets.has_spinning_parts):
+    spins = robot.offsets is not None and robot.offsets.has_spinning_parts
+    if spins or not isinstance(backend, str) or backend != "c":
         return full  # Checks the options and supports all robots, in contrast to the force kernels.
     kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
