@@ -157,31 +157,34 @@ class OnePose:
     status; results do not change if the status is not 0.
     """
 
+    R: Array
+    t: Array
+    omega: Array
+    v: Array
+    alpha: Array
+    a: Array
+    F_ext: Array
+    M_ext: Array
+
     def __init__(self, function: Any, model: Array, *arrays: Array) -> None:
         """Store the addresses of the buffers; ``arrays`` follow the motion in C, F is the first of them."""
-        self.numbers, self.F = np.zeros(sum(_WIDTHS), dtype=model.dtype), arrays[0]
+        ends = np.cumsum([math.prod(shape) for shape in MOTION.values()])
+        self.numbers, self.F = np.zeros(ends[-1], dtype=model.dtype), arrays[0]
+        for (name, shape), part in zip(MOTION.items(), np.split(self.numbers, ends), strict=False):
+            setattr(self, name, part.reshape(shape))
         # These references keep the arrays alive as long as this object.
         self._function, self._arrays = function, (model, self.numbers, *arrays)
         self._addresses = [address(array) for array in self._arrays]
 
     def load(self, motion: Motion) -> None:
         """Set the inputs to a motion of shape (); missing accelerations and loads are zero."""
-        values, zero = (getattr(motion, name) for name in MOTION), np.zeros(3)
-        np.concatenate([zero if each is None else each.ravel() for each in values], out=self.numbers)
+        for name in MOTION:
+            value = getattr(motion, name)
+            getattr(self, name)[...] = 0.0 if value is None else value
 
     def solve(self) -> int:
         """Compute the results from the current numbers; return the status."""
         return int(self._function(*self._addresses))
-
-    def __getattr__(self, name: str) -> Any:
-        if name not in MOTION:
-            raise AttributeError(name)
-        index = list(MOTION).index(name)
-        start = sum(_WIDTHS[:index])
-        return self.numbers[start : start + _WIDTHS[index]].reshape(MOTION[name])
-
-
-_WIDTHS = [math.prod(shape) for shape in MOTION.values()]
 
 
 def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDArray[Any]:

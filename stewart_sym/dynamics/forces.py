@@ -1,6 +1,7 @@
 """Actuator forces by C kernels whose constants are prepared once per robot, with threads."""
 
 import ctypes
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,14 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..backend.kernel import FORMULATIONS, MOTION, force_kernel_name
 from ..calls.c_kernel import OnePose, address, function, pointers, prepared_model, results_of, run_batch
 from ..calls.threads import in_parts
-from ..io.arguments import instance, option
+from ..io.arguments import instance, option, real_array, shown
 from ..io.array_types import Frozen
 from ..io.error_policy import warn
 from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
-from .array_layouts import in_columns, need_layout
 from .inverse_dynamics import (
     Backend,
     Formulation,
@@ -33,6 +33,7 @@ from .neglected_physics import neglected_physics
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
+_OPTIONAL = ("F_ext", "M_ext")
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +147,7 @@ class ForceKernel(Frozen):
                 raise ValueError("on_singular: does not apply with out, whose statuses name unsolvable poses")
             arrays = [getattr(motion, name) for name in MOTION] if isinstance(motion, Motion) else motion
             F, status = out
-            need_layout(arrays, F, status, self.dtype)
+            _need_layout(arrays, F, status, self.dtype)
             code = self.c_function("forces_batch")
             run_batch(code, self.model, arrays, [F], status, apart=True, threads=threads)
             return F
@@ -227,10 +228,10 @@ class ForceKernel(Frozen):
         """
         arrays: Sequence[Array | None] = (R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[assignment]
         if out is None:
-            arrays, count = in_columns(arrays, self.dtype)
+            arrays, count = _in_columns(arrays, self.dtype)
             out = np.full((6, count), np.nan, dtype=self.dtype), np.zeros(count, dtype=np.int32)
         F, status = out
-        stride = need_layout(arrays, F, status, self.dtype, columns=True)
+        stride = _need_layout(arrays, F, status, self.dtype, columns=True)
         code = self.c_function("forces_columns")
 
         def run(start: int, poses: int) -> None:
@@ -294,13 +295,75 @@ class ForceKernel(Frozen):
         return function(self.name, name, "_forces", self.precision)
 
 
+def _in_columns(values: Sequence[Any], dtype: Any) -> tuple[list[Array | None], int]:
+    """Convert the arrays of a motion to contiguous columns for C, and return the number of poses.
+
+    ``values`` are in the order of ``MOTION``: R has the shape (3, 3, n) or (9, n), the others have (3, n).
+    """
+    found: list[Array | None] = []
+    for name, value in zip(MOTION, values, strict=True):
+        if value is None and name in _OPTIONAL:
+            found.append(None)
+            continue
+        array = real_array(value, name)
+        if array.shape[:2] == (3, 3) and array.ndim == 3:
+            array = array.reshape(9, -1)
+        with np.errstate(over="ignore"):
+            found.append(np.ascontiguousarray(array, dtype))
+    assert found[0] is not None
+    return found, found[0].size // 9
+
+
+def _need_layout(
+    arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any, columns: bool = False
+) -> int:
+    """Return the distance between columns in numbers; raise ValueError for an array that C cannot use.
+
+    ``arrays`` are in the order of ``MOTION``. Poses are rows with the shape of the status, or columns of
+    equal distance. The outputs must not share memory with another array.
+    """
+    if len(arrays) != len(MOTION):
+        raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
+    given = {name: each for name, each in zip((*MOTION, "F"), (*arrays, F), strict=True) if each is not None}
+    R = np.atleast_2d(given.get("R", np.nan))
+    shape = R.shape[-1:] if columns else R.shape[:-2]
+    stride = max(*shape, R.strides[0] // R.itemsize) if columns else 0
+    for name, one in (*MOTION.items(), ("F", (6,))):
+        if name in given or name not in _OPTIONAL:
+            wanted = (math.prod(one), *shape) if columns else (*shape, *one)
+            _need(name, given.get(name), wanted, dtype, stride)
+    _need("status", status, shape, np.int32)
+    for name, own in (("F", F), ("status", status)):
+        if not own.flags.writeable:
+            raise ValueError(f"{name}: expected a writeable array")
+        for other, array in given.items():
+            if array is not own and np.shares_memory(own, array):
+                raise ValueError(f"{name}: expected separate memory, got memory of {other}")
+    return stride
+
+
+def _need(name: str, array: Any, shape: tuple[int, ...], dtype: Any, stride: int = 0) -> None:
+    """Raise ValueError for another shape, type, or layout: columns with a distance in numbers, or C order."""
+    size = np.dtype(dtype).itemsize
+    layout = f"rows {stride * size} bytes apart" if stride else "C-contiguous"
+    got = shown(array)
+    if isinstance(array, np.ndarray):
+        got = f"{array.shape} of {array.dtype} with strides {array.strides}, aligned: {array.flags.aligned}"
+        along = array.strides[-1] == size or array.shape[-1] < 2
+        fits = along and array.strides[0] == stride * size if stride else array.flags.c_contiguous
+        if array.shape == shape and array.dtype == dtype and array.flags.aligned and (fits or not array.size):
+            return
+    raise ValueError(f"{name}: expected an aligned array {shape} of {np.dtype(dtype)}, {layout}, got {got}")
+
+
 def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
     """Return a function that computes forces (n, 6), NaN for unsolvable poses, by the fastest kernel."""
 
     def full(motion: Motion) -> Array:
         return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    if backend != "c" or (robot.offsets is not None and robot.offsets.has_spinning_parts):
+    spins = robot.offsets is not None and robot.offsets.has_spinning_parts
+    if spins or not isinstance(backend, str) or backend != "c":
         return full  # Checks the options and supports all robots, in contrast to the force kernels.
     kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]

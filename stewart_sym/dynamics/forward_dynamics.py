@@ -12,18 +12,22 @@ from ..backend.kernel import FORMULATIONS
 from ..calls.c_kernel import CKernel
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
+from ..kinematics.conditioning import characteristic_length
 from ..kinematics.pose_search import rates_per_twist
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
-from ..reference.equations_of_motion import ActuatorWrench, inertia_and_bias
+from ..reference.equations_of_motion import ActuatorWrench, bare_robot, inertia_and_bias
 from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK
 from ..robot.robot import Robot
 from . import inverse_dynamics
 from .arrays import ArrayKernel
-from .forward_from_inverse import ForwardFromInverse
+from .forces import ForceKernel
 
 ClosedForm = CKernel | ArrayKernel
 """Kernels of the closed form: equations of motion, forward dynamics, and derivatives."""
+
+_MOST_CONDITION = 1e5
+"""Largest condition number of H^-1 M, scaled by the characteristic length, for an accurate inverse."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,16 +73,12 @@ class ForwardDynamics:
         """
         if isinstance(self.closed, CKernel):
             return _one_state(self.closed)
-        by_forces: ForwardFromInverse | None = None
-        if (
-            self.backend == "c"
-            and self.robot.offsets is not None
-            and not self.robot.offsets.has_spinning_parts
-        ):
-            by_forces = inverse_dynamics.with_compiler(lambda: ForwardFromInverse(self.robot), lambda: None)
+        by_forces, offsets = None, self.robot.offsets
+        if self.backend == "c" and offsets is not None and not offsets.has_spinning_parts:
+            by_forces = inverse_dynamics.with_compiler(lambda: from_forces(self.robot), lambda: None)
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
-            quick = None if by_forces is None else by_forces.solve(motion, F)
+            quick = None if by_forces is None else by_forces(motion, F)
             if quick is not None:
                 return quick, OK
             a, alpha, status = self.solve(motion, F)
@@ -148,5 +148,33 @@ def _one_state(closed: CKernel) -> Callable[[Motion, Array], tuple[Array, int]]:
         pose.F[:] = F
         status = pose.solve()
         return (x.copy() if status == OK else np.full(6, np.nan)), status
+
+    return solve
+
+
+def from_forces(robot: Robot) -> Callable[[Motion, Array], Array | None]:
+    """Return a function (motion, F (6,)) -> [a; alpha] (6,) of single states, None near a singular pose.
+
+    Forces by the C kernel are F_0 + A [a; alpha]. The columns of A = H^-1 M are the forces of six unit
+    accelerations at rest, without gravity and friction. F_0 are the forces without acceleration. The function
+    owns its buffers. Raises ValueError for a robot without a force kernel.
+    """
+    moving, still = (ForceKernel(each).single_pose() for each in (robot, bare_robot(robot)))
+    length = np.repeat([1.0, 1.0 / characteristic_length(robot)], 3)
+
+    def solve(motion: Motion, F: Array) -> Array | None:
+        moving.load(motion)
+        moving.alpha[:], moving.a[:] = 0.0, 0.0
+        still.R[:], still.t[:] = motion.R, motion.t
+        status, A = moving.solve(), np.empty((6, 6))
+        for i in range(6):
+            part = still.a if i < 3 else still.alpha
+            part[i % 3] = 1.0
+            status = status or still.solve()
+            part[i % 3] = 0.0
+            A[:, i] = still.F * length[i]
+        if status or not np.isfinite(A).all() or not np.linalg.cond(A) < _MOST_CONDITION:
+            return None
+        return np.asarray(length * np.linalg.solve(A, F - moving.F))
 
     return solve

@@ -15,6 +15,7 @@ from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..motion.straight_line import PAPER_PATHS, PaperPath
 from ..robot.robot import Robot
+from ..robot.units import vector_text
 
 DECISIVE = 0.1
 """Smallest fraction of gravity along the base normal for which gravity determines the side."""
@@ -108,7 +109,8 @@ def platform_side(robot: Robot) -> Side:
     if abs(pull) > DECISIVE * np.linalg.norm(g):
         return Side(-axis if pull > 0.0 else axis, "opposite to gravity", True)
     gravity = f"gravity is {'parallel to the base' if np.any(robot.g) else '0'}"
-    selected = f"selected the side {_shown(axis)} of the base, although {_shown(-axis)} is as plausible"
+    side, other = vector_text(axis), vector_text(-axis)
+    selected = f"selected the side {side} of the base, although {other} is as plausible"
     return Side(axis, f"{gravity}; {selected}; give home_position", False)
 
 
@@ -145,10 +147,6 @@ def base_normal(robot: Robot) -> Array:
 def _normal(b: Array, side: Array) -> Array:
     n = np.asarray(np.linalg.svd(b - b.mean(axis=0))[2][2])
     return -n if n @ side < 0.0 else n
-
-
-def _shown(direction: Array) -> str:
-    return f"({', '.join(f'{x + 0.0:.3g}' for x in np.round(direction, 6))})"
 
 
 def _axis(b: Array) -> Array:

@@ -15,7 +15,7 @@ from ..motion.rotation import rotation_about_axes
 from ..motion.trajectory import Trajectory
 from ..motion.trajectory_format import ANGLE_UNITS, LENGTH_UNITS, TrajectoryWarning
 from ..robot.robot import Robot
-from ..robot.units import Units
+from ..robot.units import Units, vector_text
 from .inverse_kinematics import leg_lengths
 from .mounting_side import platform_side
 from .pose_search import rates_per_twist
@@ -88,7 +88,7 @@ def _home_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
         kind, remedy = mode, f"if {other}; state {mode}={other}, or {mode}={present} if it is right"
     if not remedy:
         return None
-    got, expected = (_vector_text(each) for each in (np.median(values, axis=0), home))
+    got, expected = (vector_text(each) for each in (np.median(values, axis=0), home))
     return kind, f"{few.source}: typical values {got} m fit the home values {expected} m only {remedy}"
 
 
@@ -109,10 +109,6 @@ def _away(values: Array, home: Array, relative: bool) -> float:
     """Return the typical distance of samples, (n, k), from home, relative to the size of its coordinates."""
     distance = np.linalg.norm(values if relative else values - home, axis=-1)
     return float(np.median(distance) / np.linalg.norm(home))
-
-
-def _vector_text(values: Array) -> str:
-    return f"({', '.join(f'{value:.3g}' for value in values)})"
 
 
 def _length_error(robot: Robot, few: LogSamples) -> tuple[str, str] | None:
@@ -177,7 +173,9 @@ def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, s
         return None
     in_degrees = replace(few, vectors=few.vectors | {"theta": np.radians(few.vectors["theta"])})
     t, R = _poses(robot, few, 1.0)
-    wrong = _far_beyond(robot, leg_lengths(robot, R, t))
+    lengths, (low, high) = leg_lengths(robot, R, t), robot.length_limits.T
+    # Leg lengths exceed their limits by more than a stroke.
+    wrong = np.any(np.maximum(low - lengths, lengths - high) > high - low)
     wrong = wrong or (spans.max() > LEAST_TURN and impossible(robot, t, R) is not None)
     wrong = wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None
     if not wrong and np.all(spans <= MOST_TURNS):
@@ -185,12 +183,6 @@ def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, s
     axis = int(np.argmax(spans))
     finding = f"{_angle_range(theta, axis)}, which the legs allow only in degrees"
     return "angle_unit", _other_unit(few, "angle_unit", finding, ["deg"])
-
-
-def _far_beyond(robot: Robot, lengths: Array) -> bool:
-    """Return True if leg lengths (m) exceed their limits by more than a stroke."""
-    low, high = robot.length_limits.T
-    return bool(np.any(np.maximum(low - lengths, lengths - high) > high - low))
 
 
 def _other_unit(log: LogSamples, kind: str, finding: str, units: Sequence[str]) -> str:

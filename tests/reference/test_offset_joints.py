@@ -18,7 +18,7 @@ from pinocchio_model import Answer, pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym.dynamics.equations import ForwardDynamics
-from stewart_sym.dynamics.forward_from_inverse import ForwardFromInverse
+from stewart_sym.dynamics.forward_dynamics import from_forces
 from stewart_sym.reference import newton_euler, offset_joints
 from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, UNREACHABLE, ZERO_LENGTH
 
@@ -158,13 +158,13 @@ def test_one_state_gives_what_the_batch_gives() -> None:
 
 def test_compiled_forces_tell_accelerations_but_at_singular_poses() -> None:
     cases = [_case(seed, "spherical") for seed in MACHINES]
-    told = [ForwardFromInverse(robot).solve(motion, truth.F) is not None for robot, motion, truth in cases]
+    told = [from_forces(robot)(motion, truth.F) is not None for robot, motion, truth in cases]
     assert sum(told) > 0.8 * len(told)
     robot, motion, truth = cases[0]
     plane = {"b": robot.b * [1.0, 1.0, 0.0], "p": robot.p * [1.0, 1.0, 0.0], "offsets": ss.JointOffsets()}
     flat = dataclasses.replace(robot, **plane)
     pose = dataclasses.replace(motion, R=np.eye(3), t=np.zeros(3))
-    assert ForwardFromInverse(flat).solve(pose, truth.F) is None
+    assert from_forces(flat)(pose, truth.F) is None
 
 
 def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:
