@@ -54,7 +54,7 @@ def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str
         "condition": _column(shown.condition),
         **{f"F_{name}": _column(F) for name, F in shown.forces.items()},
         **_chain_columns(robot, shown),
-        **_motor_columns(robot, shown, limits),
+        **_motor_columns(robot, limits),
         **{f"{name}_std": _column(sd) for name, sd in _deviations(robot, shown, limits)},
     }
     return {
@@ -135,7 +135,7 @@ def _chain_columns(robot: Robot, shown: MotionHistory) -> dict[str, dict[str, st
     return columns | {"lower": _column(at.y), "upper": _column(at.U[..., 1])}
 
 
-def _motor_columns(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, dict[str, str]]:
+def _motor_columns(robot: Robot, limits: LimitReport) -> dict[str, dict[str, str]]:
     """Return the motor torques, from which the page computes current and power; with offsets also speeds."""
     if limits.motors is None:
         return {}
@@ -148,15 +148,14 @@ def _deviations(robot: Robot, shown: MotionHistory, limits: LimitReport) -> Iter
     if shown.noise is None:
         return
     sd, motors = shown.noise.sd, limits.motors
-    found = [(f"F_{name}", F, shown.noise.forces[name]) for name, F in shown.forces.items()]
-    found += [("L", shown.L, sd["L"]), ("L_dot", shown.L_dot, sd["L_dot"])]
+    found = {f"F_{name}": F for name, F in shown.forces.items()} | {"L": shown.L, "L_dot": shown.L_dot}
     if motors is not None:
         names = ("torque", "power") if robot.offsets is None else ("torque", "power", "speed")
-        found += [(name, getattr(motors, name), sd[name]) for name in names]
-    for name, *pair in found:
-        peak, most = (np.nan_to_num(np.abs(each), nan=0.0).max(axis=0, initial=0.0) for each in pair)
+        found |= {name: getattr(motors, name) for name in names}
+    for name, values in found.items():
+        peak, most = (np.nan_to_num(np.abs(x), nan=0.0).max(axis=0, initial=0.0) for x in (values, sd[name]))
         if shows(peak, most, _DIGITS + (name == "L")).any():
-            yield name, pair[1]
+            yield name, sd[name]
 
 
 def _runs(codes: NDArray[np.uint8]) -> Iterator[list[int]]:

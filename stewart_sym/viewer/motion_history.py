@@ -86,9 +86,7 @@ class Noise:
     text : str
         Description of the noise and its treatment.
     sd : Deviations
-        Standard deviations, including the forces of the first formulation.
-    forces : dict of ndarray, shape (n, 6)
-        Standard deviations of the forces by formulation (N).
+        Standard deviations, with forces F of the first formulation, and F_exact and F_paper by formulation.
     there : ndarray of bool, shape (n,)
         Flags of samples whose standard deviations include replaced rows.
     replaced : tuple of Replaced
@@ -97,7 +95,6 @@ class Noise:
 
     text: str
     sd: Deviations
-    forces: Mapping[str, Array]
     there: Flags
     replaced: tuple[Replaced, ...]
 
@@ -199,9 +196,10 @@ def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
 
 def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
     """Return a motion of shape (n,) at increasing times (s), (n,); forces require accelerations."""
-    time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "time")
-    if motion.shape == ():
-        motion = motion[None]
+    motion = motion[None] if motion.shape == () else motion
+    if times is None and motion.shape != (1,):
+        raise ValueError("time: expected the times of the motion's poses (s), got none")
+    time = np.arange(1.0) if times is None else real_array(times, "time")
     if time.shape != motion.shape or time.ndim != 1 or not len(time):
         raise ValueError(f"time: expected the shape of the motion, {motion.shape}, (n,), got {time.shape}")
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
@@ -268,7 +266,8 @@ def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noi
         return None
     first, *others = formulations
     sd = all_deviations(robot, trajectory, first)  # type: ignore[arg-type]
-    forces = {name: force_std(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
+    sd[f"F_{first}"] = sd["F"]
+    sd |= {f"F_{name}": force_std(robot, trajectory, name) for name in others}  # type: ignore[arg-type]
     replaced, said = replaced_rows(trajectory), []
     if trajectory.noise.sigma.any():
         units = robot.length_unit, robot.angle_unit
@@ -276,7 +275,7 @@ def _noise(robot: Robot, trajectory: Trajectory, formulations: list[str]) -> Noi
     if replaced:
         said.append(f"replaced rows: {replaced_names(replaced)}")
     text, there = "; ".join(said), at_replaced(trajectory, trajectory.time)
-    return Noise(text, sd, {first: sd["F"]} | forces, there, replaced)
+    return Noise(text, sd, there, replaced)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:
@@ -323,7 +322,7 @@ def limits(robot: Robot, shown: MotionHistory) -> LimitReport:
     values = {"F": F, **lengths, **limited_angles(robot, shown.motion)}
     codes = limit_codes(robot, lengths, sd, there)
     for name, forces in shown.forces.items():
-        off = None if noise is None else {"F": noise.forces[name]}
+        off = None if noise is None else {"F": noise.sd[f"F_{name}"]}
         codes[f"F_{name}"] = limit_codes(robot, {"F": forces}, off, there)["F"]
     motors = None
     if robot.drive is not None:

@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -158,7 +158,7 @@ def view(
     return Viewer(robot, _history(robot, motion, time))
 
 
-def _history(robot: Robot, motion: object, times: object) -> MotionHistory:
+def _history(robot: Robot, motion: Any, times: Any) -> MotionHistory:
     if motion is None:
         return of_motion(robot, at_rest(np.eye(3), home_pose(robot).t), None, "home pose")
     if isinstance(motion, str | StraightLinePath):
@@ -168,6 +168,4 @@ def _history(robot: Robot, motion: object, times: object) -> MotionHistory:
     if isinstance(motion, StateHistory):
         return of_run(robot, motion)
     instance(motion, Motion, "motion")
-    if times is None and cast(Motion, motion).shape not in ((), (1,)):
-        raise ValueError("time: expected the times of the motion's poses (s), got none")
-    return of_motion(robot, cast(Motion, motion), times)
+    return of_motion(robot, motion, times)
