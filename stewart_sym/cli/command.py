@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import dataclasses
+import difflib
 import itertools
 import math
 import re
@@ -10,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..io.arguments import hint, safe_text
+from ..io.arguments import safe_text
 from ..io.error_policy import need
 from ..io.output import ResultFolder, json_text, must_be_replaceable, write_file
 from ..io.progress import Progress
@@ -291,3 +292,9 @@ def need_own_file(path: Path, beginnings: Sequence[str], force: bool, inputs: It
         found = path.read_bytes() if path.is_file() else b""
         is_ours = not found or found.startswith(tuple(map(str.encode, beginnings)))
         must_be_replaceable(path, is_ours, force, inputs)
+
+
+def hint(text: str, names: Iterable[str]) -> str:
+    """Return a hint with the name closest to an unknown one."""
+    near = difflib.get_close_matches(text, names, n=1)
+    return f", did you mean {near[0]}?" if near else ""

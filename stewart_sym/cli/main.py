@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import NoReturn
 
 from ..backend.native import CompilerError
-from ..io.arguments import hint, shown
-from .command import Parser
+from ..io.arguments import shown
+from .command import Parser, hint
 from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 GROUPS = {

@@ -1,9 +1,8 @@
 """Validation of arguments, with one-line errors that name the argument."""
 
 import contextlib
-import difflib
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -116,9 +115,3 @@ def option(value: object, options: Sequence[str], name: str) -> str:
     *others, last = (f'"{text}"' for text in options)
     expected = f"{', '.join(others)}{' or ' if others else ''}{last}"
     raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
-
-
-def hint(text: str, names: Iterable[str]) -> str:
-    """Return a hint with the name closest to an unknown one."""
-    near = difflib.get_close_matches(text, names, n=1)
-    return f", did you mean {near[0]}?" if near else ""

@@ -8,7 +8,7 @@ from ..backend.kernel import robot_kernel
 from ..derive.kernel.outputs import FORCES, OUTPUTS
 from ..derive.package.fmu import KINDS, PLANT
 from ..derive.package.text_format import template
-from ..io.arguments import hint, option, shown
+from ..io.arguments import option, shown
 from ..io.output import toml_text
 from ..robot.robot import Robot
 
@@ -92,8 +92,7 @@ def check(choice: Choice, robot: Robot) -> None:
         raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got none")
     for name in choice.functions:
         if name not in FUNCTIONS:
-            near = hint(name, FUNCTIONS)
-            raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {shown(name)}{near}")
+            raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {shown(name)}")
         if name in _UNIVERSAL:
             _need_closed_form(choice, robot, f"functions: {name}")
     if TORQUE in choice.functions and robot.drive is None:

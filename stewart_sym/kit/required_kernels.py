@@ -7,16 +7,8 @@ from importlib.metadata import version
 
 import numpy as np
 
-from ..backend.kernel import (
-    force_kernel_name,
-    generated_text,
-    levels,
-    module,
-    operations_per_pose,
-    resolve_level,
-    robot_kernel,
-    rotor_of,
-)
+from ..backend import kernel as kernels
+from ..backend.kernel import generated_text, module, robot_kernel
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
@@ -157,12 +149,12 @@ def _model(file: str) -> Part:
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
-    level = resolve_level(robot, choice.formulation, choice.level)
+    level = kernels.resolve_level(robot, choice.formulation, choice.level)
     if choice.bake or choice.scalar:
         return _derived(robot, choice, level)
-    name = force_kernel_name(robot, choice.formulation, level)
-    count = operations_per_pose(robot, choice.formulation, level)
-    meaning = levels(robot)[level]["meaning"]
+    name = kernels.force_kernel_name(robot, choice.formulation, level)
+    count = kernels.operations_per_pose(robot, choice.formulation, level)
+    meaning = kernels.levels(robot)[level]["meaning"]
     says = f"Actuator forces, kernel `{name}`, fidelity {level}: {meaning}."
     return _force_part(f"stewart_{name}_forces", f"stewart_{name}", count, says), count, None
 
@@ -196,7 +188,7 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["one pose, legs in sequence"] if choice.scalar else []),
     ]
     form = plain.formulation.name
-    meaning = levels(robot)[level]["meaning"]
+    meaning = kernels.levels(robot)[level]["meaning"]
     says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
@@ -260,7 +252,7 @@ def _kinematics() -> Part:
 def _torques(robot: Robot, choice: Choice) -> list[Part]:
     """Build the part of the motor torques and, for forces that include rotors, of the axial forces."""
     found = []
-    rotor = rotor_of(robot, choice.level)
+    rotor = kernels.rotor_of(robot, choice.level)
     if rotor != "none":
         name = robot_kernel(robot, "exact")
         form, reflected = BY_KERNEL[name], rotor == "mass"

@@ -63,8 +63,7 @@ def _of_limits(robot: Robot, L: Array) -> Iterator[Finding]:
 
 def _range(robot: Robot, low: float, high: float) -> str:
     """Format two lengths (m) in the unit of the file."""
-    first = in_file(robot, low).partition(" ")[0]
-    return f"{first} to {in_file(robot, high)}"
+    return f"{in_file(robot, low).partition(' ')[0]} to {in_file(robot, high)}"
 
 
 def _of_parts(robot: Robot, L: Array) -> Iterator[Finding]:

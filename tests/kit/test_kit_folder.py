@@ -95,7 +95,7 @@ def test_manifest_that_names_files_elsewhere_removes_none(tmp_path: Path) -> Non
         (Choice(formulation="fast"), "random", r'formulation: expected "exact" or "paper", got \'fast\''),
         (Choice(precision="half"), "random", r'precision: expected "double" or "float", got \'half\''),
         (Choice(()), "random", "functions: expected some of forces, .*, got none"),
-        (Choice(("force",)), "random", "functions: expected some of forces, .*, did you mean forces.$"),
+        (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'$"),
         (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
         (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
         (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),

@@ -11,10 +11,10 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from ...io.arguments import hint, shown
+from ...io.arguments import shown
 from ...io.output import ResultFolder, write_file
 from ...studies.common.report import Report
-from ..command import Arguments, Parser, results
+from ..command import Arguments, Parser, hint, results
 
 _LABELS = {"differ": "differs", "missing": "missing", "not_generated": "not generated"}
 

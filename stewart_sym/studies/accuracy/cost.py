@@ -9,7 +9,7 @@ import contextlib
 import functools
 import itertools
 import statistics
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -20,7 +20,7 @@ from ...backend.kernel import FORMULATIONS, MOTION, levels, operations_per_pose
 from ...calls.numpy_kernel import loaded
 from ...calls.threads import CORES
 from ...dynamics.forces import ForceKernel, Precision
-from ...dynamics.inverse_dynamics import Backend, prepared_kernel
+from ...dynamics.inverse_dynamics import Backend, DynamicsKernel, prepared_kernel
 from ...io.array_types import Array
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -95,10 +95,7 @@ def cost(
     cases = {name: _Case(robot, motion, name) for name, motion in paths}
     progress("compiling the truth of 50 digits")
     backends = BACKENDS if implementations else {}
-    ways = {
-        name: functools.partial(prepared_kernel(robot, "exact", backend).run, "inverse_dynamics")
-        for name, backend in backends.items()
-    }
+    ways = {name: prepared_kernel(robot, "exact", backend) for name, backend in backends.items()}
     errors: dict[Candidate, Figures] = {candidate: {} for candidate in kernels}
     # Candidates with the same equations, which share the reference solution, are adjacent.
     by_model = [[*each] for _, each in itertools.groupby(kernels, lambda candidate: candidate[:2])]
@@ -132,9 +129,9 @@ def cost(
             {
                 "name": way,
                 "ns": statistics.median(times[tasks[way, ""]]),
-                "rounding": {name: case.rounding_of(forces) for name, case in cases.items()},
+                "rounding": {name: case.rounding_of(kernel) for name, case in cases.items()},
             }
-            for way, forces in ways.items()
+            for way, kernel in ways.items()
         ],
         "units": {
             **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
@@ -194,10 +191,10 @@ class _Case:
             for each, forces in F.items()
         }
 
-    def rounding_of(self, forces: Callable[[Motion], Any]) -> float:
+    def rounding_of(self, kernel: DynamicsKernel) -> float:
         """Compute the rounding error of another implementation of `exact` general."""
         motion = self.motion[self.sample]
-        off = deviation(forces(motion)["F"], Truth(self.robot).forces(motion))
+        off = deviation(kernel.run("inverse_dynamics", motion)["F"], Truth(self.robot).forces(motion))
         return float(_or_infinite(off).max()) / self.peak
 
 
@@ -209,7 +206,7 @@ def _or_infinite(difference: NDArray[Any]) -> Array:
 def _tasks(
     motions: Sequence[Motion],
     kernels: Mapping[Candidate, ForceKernel],
-    ways: Mapping[str, Callable[[Motion], Any]],
+    ways: Mapping[str, DynamicsKernel],
 ) -> dict[tuple[Candidate | str, str], Task]:
     """Return the timed tasks: "one pose" and "batch" of each kernel, and "" of other implementations."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
@@ -219,8 +216,8 @@ def _tasks(
         one_pose = loop(rows.astype(kernel.dtype), kernel.c_function("forces"), kernel.model)
         tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
-    for name, forces in ways.items():
-        tasks[name, ""] = Task(over(functools.partial(forces, motion)), SLOW)
+    for name, other in ways.items():
+        tasks[name, ""] = Task(over(functools.partial(other.run, "inverse_dynamics", motion)), SLOW)
     return tasks
 
 
