@@ -331,15 +331,6 @@ class ArrayKernel(Frozen):
         need_no_offsets(self.robot)
         return leg_motions(self._functions, self.robot, motion)
 
-    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
-        """Return the results by name of an output of the closed form, as ``CKernel.run``."""
-        fields = {name: getattr(motion, name) for name in MOTION} | dict(zip("F", given, strict=False))
-        result, shape = self._evaluated(output, fields)
-        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
-        if "alpha" in found:
-            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
-        return {name: found[name] for name in OUTPUTS[output]} | {"status": found["status"].astype(np.int32)}
-
     def _run(self, function: str, kind: type[Result], fields: dict[str, Any]) -> Result:
         need_masses(self.robot)
         found, shape = self._evaluated(function, fields)
@@ -373,6 +364,19 @@ class ArrayKernel(Frozen):
             expected = ", ".join(map(str, shape))
             raise ValueError(f"{name}: expected shape (..., {expected}), got {tuple(array.shape)}")
         return array
+
+
+class NumpyClosedForm(ArrayKernel):
+    """NumPy kernels of the closed form, called like ``CKernel``; the bits of C without fused multiply-add."""
+
+    def run(self, output: str, motion: Motion, *given: Array) -> dict[str, Any]:
+        """Return the results by name of an output of the closed form, as ``CKernel.run``."""
+        fields = {name: getattr(motion, name) for name in MOTION} | dict(zip("F", given, strict=False))
+        result, shape = self._evaluated(output, fields)
+        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
+        if "alpha" in found:
+            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
+        return {name: found[name] for name in OUTPUTS[output]} | {"status": found["status"].astype(np.int32)}
 
 
 def _shape_of(name: str) -> tuple[int, ...]:

@@ -20,10 +20,10 @@ from ..reference.equations_of_motion import ActuatorWrench, bare_robot, inertia_
 from ..results import MASS_MATRIX_INDEFINITE, NOT_FINITE, OK
 from ..robot.robot import Robot
 from . import inverse_dynamics
-from .arrays import ArrayKernel
+from .arrays import NumpyClosedForm
 from .forces import ForceKernel
 
-ClosedForm = CKernel | ArrayKernel
+ClosedForm = CKernel | NumpyClosedForm
 """Kernels of the closed form: equations of motion, forward dynamics, and derivatives."""
 
 _MOST_CONDITION = 1e5
@@ -132,9 +132,9 @@ def closed_form_of(robot: Robot, formulation: str, backend: str) -> ClosedForm |
     if robot.offsets is not None:
         return None
     if backend == "numpy":
-        return ArrayKernel(robot, np)
+        return NumpyClosedForm(robot, np)
     found: ClosedForm = inverse_dynamics.with_compiler(
-        lambda: CKernel(robot, "exact", "_motion"), lambda: ArrayKernel(robot, np)
+        lambda: CKernel(robot, "exact", "_motion"), lambda: NumpyClosedForm(robot, np)
     )
     return found
 

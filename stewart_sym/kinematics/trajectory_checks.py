@@ -175,7 +175,7 @@ def _angle_error(robot: Robot, log: LogSamples, few: LogSamples) -> tuple[str, s
     t, R = _poses(robot, few, 1.0)
     lengths, (low, high) = leg_lengths(robot, R, t), robot.length_limits.T
     # Leg lengths exceed their limits by more than a stroke.
-    wrong = np.any(np.maximum(low - lengths, lengths - high) > high - low)
+    wrong = bool(np.any(np.maximum(low - lengths, lengths - high) > high - low))
     wrong = wrong or (spans.max() > LEAST_TURN and impossible(robot, t, R) is not None)
     wrong = wrong and impossible(robot, *_poses(robot, in_degrees, 1.0)) is None
     if not wrong and np.all(spans <= MOST_TURNS):
