@@ -275,11 +275,18 @@ class _Task(NamedTuple):
 
     def need_possible(self) -> bool:
         """Check the path and the limits; return True if more than speeds is limited."""
-        nodes, jerk = _first_nodes(*self.span, self.cells), self.limits.jerk is not None
+        nodes = _first_nodes(*self.span, self.cells)
         terms = self.source(self.limits)(nodes)
-        need_bounded(terms, nodes, jerk)
+        limited = self.limits.jerk is not None or terms.motors is not None or np.isfinite(terms.limit).any()
+        if not limited and not np.isfinite(terms.caps).all():
+            raise ValueError("limits: expected a limit of force, speed, or acceleration, got none")
+        effect = np.abs(terms.a).max(axis=-1)
+        if effect.min() <= _RESTS * effect.max():
+            where = nodes[np.argmin(effect)]
+            raise ValueError(f"path: expected nonzero velocities along the path, got zero at s = {where:.6g}")
+        need_held(terms, nodes)
         need_rates(self.robot, self.path, np.linspace(*self.span, _PLACES))
-        return jerk or terms.motors is not None or bool(np.isfinite(terms.limit).any())
+        return bool(limited)
 
     def fastest(self, limits: PathLimits) -> Profile:
         """Compute the fastest motion within limits."""
@@ -411,20 +418,6 @@ def _first_nodes(start: float, end: float, cells: int) -> Array:
     even = np.linspace(start, end, cells + 1)
     more = (even[1] - even[0]) * (np.arange(1, _AT_ENDS) / _AT_ENDS) ** 3
     return np.concatenate([even[:1], start + more, even[1:-1], end - more[::-1], even[-1:]])
-
-
-def need_bounded(terms: Terms, s: Array, bounded: bool) -> None:
-    """Raise ValueError for a path without limits, with zero rates, or with poses that cannot be held at rest.
-
-    ``bounded`` is True if the jerk is limited. The terms do not include the jerk.
-    """
-    if not (bounded or np.isfinite(terms.caps).all() or np.isfinite(terms.limit).any() or terms.motors):
-        raise ValueError("limits: expected a limit of force, speed, or acceleration, got none")
-    effect = np.abs(terms.a).max(axis=-1)
-    if effect.min() <= _RESTS * effect.max():
-        where = s[np.argmin(effect)]
-        raise ValueError(f"path: expected nonzero velocities along the path, got zero at s = {where:.6g}")
-    need_held(terms, s)
 
 
 def need_held(terms: Terms, s: Array) -> None:

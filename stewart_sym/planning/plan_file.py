@@ -72,7 +72,10 @@ class PlanRequest:
 
     def of_poses(self, text: str) -> str:
         """Add the file and the doubt of the via poses to a message; in a TOML file, keys replace numbers."""
-        return _of_poses(f"{text}; {self.doubt}" if self.doubt else text, self.files)
+        text = f"{text}; {self.doubt}" if self.doubt else text
+        if len(self.files) > 2:
+            return f"{self.files[-1]}: {text}"
+        return f"{self.files[0]}: {text.replace('via pose ', 'via ', 1)}"
 
 
 @contextlib.contextmanager
@@ -137,11 +140,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
             warn(f"{source}: via: {doubt}", TrajectoryWarning)
         order = robot.trajectory_format.rotation_order
         poses = tuple(ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given)
-    try:
-        need_poses(poses)
-    except ValueError as error:
-        raise ValueError(_of_poses(str(error), files)) from None
-    return PlanRequest(
+    request = PlanRequest(
         robot,
         poses,
         path_limits,
@@ -151,12 +150,11 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         doubt=doubt,
         **options,
     )
-
-
-def _of_poses(text: str, files: Sequence[Path]) -> str:
-    """Add the file of the via poses to a message."""
-    apart = len(files) > 2
-    return f"{files[-1]}: {text}" if apart else f"{files[0]}: {text.replace('via pose ', 'via ', 1)}"
+    try:
+        need_poses(poses)
+    except ValueError as error:
+        raise ValueError(request.of_poses(str(error))) from None
+    return request
 
 
 def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:

@@ -161,6 +161,8 @@ def simulate(
     >>> run.stop.reason, round(run.stop.time, 3)
     ('singular', 0.206)
     """
+    from scipy import integrate
+
     instance(robot, Robot, "robot")
     law = _law(forces)
     start = _state(initial_state, law)
@@ -197,7 +199,7 @@ def simulate(
         actuators=actuators,
         load=load,
         constant=(start.F_ext, start.M_ext),
-        solver=_solver(method),
+        solver=getattr(integrate, method),
         tolerances={"rtol": float(rtol), "atol": float(atol)},
         watch=Watch(robot, stop_conditions or StopConditions(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
@@ -448,10 +450,3 @@ def _state(given: Motion | str, law: ForceLaw) -> Motion:
     if given.shape != ():
         raise ValueError(f"initial_state: expected one state, of shape (), got {given.shape}")
     return given
-
-
-def _solver(method: str) -> Any:
-    """Return the integrator class of SciPy."""
-    from scipy import integrate
-
-    return getattr(integrate, method)
