@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.kernel import robot_numbers
+from ..backend.kernel import legs_side_by_side, robot_numbers
 from ..calls.c_kernel import address, function, results_of
-from ..calls.numpy_kernel import legs_side_by_side, on_arrays
+from ..calls.numpy_kernel import on_arrays
 from ..dynamics.inverse_dynamics import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
 from ..generated import rotor_regressor as exact_rotors

@@ -49,7 +49,7 @@ _FLAGS = {
     "float": ("-DSTEWART_FLOAT",),
     "wide": ("-O1", "-include", "float.h", "-include", "math.h", *_MACROS),
 }
-_SHAPES = {**OUTPUTS, **{name: {"F": (6,)} for name in FORCES[:2]}, _TRUTH: STRUCTS["forces"]}
+_SHAPES: dict[str, Any] = {**OUTPUTS, **{name: {"F": (6,)} for name in FORCES[:2]}, _TRUTH: STRUCTS["forces"]}
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
     **dict.fromkeys(("g", "friction", "bias", "bias_and_friction", "H", "H_dot"), (-1, 0)),
