@@ -16,6 +16,8 @@ from ..robot.robot import Robot
 
 # Number of poses in one call, because larger arrays do not fit into the cache.
 _AT_ONCE = 1024
+# Numbers of all intermediate results of one call.
+_INTERMEDIATE = 1 << 21
 
 
 class NumpyKernel:
@@ -70,6 +72,9 @@ def on_arrays(run: Callable[..., Any], motion: Motion, shapes: Mapping[str, Shap
     given = loaded(motion)
     rows = {name: given[name].reshape(count, math.prod(shape)) for name, shape in MOTION.items()}
     arithmetic = module("arithmetic").Arithmetic(np)
+    # After this block is freed, glibc keeps the memory of intermediate results. Otherwise each call returns
+    # it to the system and receives it again page by page, which takes half of the time.
+    np.empty(_INTERMEDIATE)
     for first in range(0, count, _AT_ONCE):
         at = slice(first, first + _AT_ONCE)
         part = SimpleNamespace(**{name: np.ascontiguousarray(each[at].T) for name, each in rows.items()})
