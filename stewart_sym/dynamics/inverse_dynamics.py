@@ -19,7 +19,7 @@ from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
-from ..io.arguments import instance, option, real_array
+from ..io.arguments import instance, of_six, option, real_array
 from ..io.array_types import Array, Codes
 from ..io.error_policy import warn
 from ..kinematics.conditioning import characteristic_length
@@ -210,7 +210,7 @@ def joint_reactions(
     (6, 3)
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    where = _bearing(bearing_distance)
+    where = of_six(0.0 if bearing_distance is None else bearing_distance, "bearing_distance")
     found = _without_overflow(results.JointReactionsResult(**kernel.run("joint_reactions", motion, where)))
     if on_singular == "damped":
         found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
@@ -363,16 +363,6 @@ def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
 @functools.cache
 def _say_once(text: str) -> None:
     warn(text, RuntimeWarning)
-
-
-def _bearing(bearing: ArrayLike | None) -> Array:
-    expected = "one finite distance or six"
-    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing_distance", expected)
-    if values.shape not in ((), (6,)):
-        raise ValueError(f"bearing_distance: expected {expected}, got shape {values.shape}")
-    if not np.isfinite(values).all():
-        raise ValueError(f"bearing_distance: expected {expected}, got {values[~np.isfinite(values)][0]}")
-    return np.broadcast_to(values, (6,))
 
 
 def _without_overflow(found: results.JointReactionsResult) -> results.JointReactionsResult:

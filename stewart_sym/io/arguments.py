@@ -101,6 +101,15 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
     return shape
 
 
+def of_six(value: object, name: str) -> NDArray[np.float64]:
+    """Return one finite number for each of six legs, from one or six; raise ValueError otherwise."""
+    expected = "one finite number or six"
+    values = real_array(value, name, expected)
+    if values.shape not in ((), (6,)) or not np.isfinite(values).all():
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+    return np.broadcast_to(values, (6,))
+
+
 def instance(value: object, kind: type, name: str) -> None:
     """Raise ValueError unless a value is an instance of ``kind``."""
     if not isinstance(value, kind):

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from ..backend.c_kernel import CKernel
 from ..dynamics.forces import ForceKernel
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
-from ..io.arguments import instance, number_in, real_array, shown
+from ..io.arguments import instance, number_in, of_six, real_array
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse_kinematics import inverse_kinematics, leg_vectors, tip_velocities
@@ -288,12 +288,3 @@ def _gains(k_p: float, k_d: float) -> None:
     """Check the two gains."""
     for name, value in (("k_p", k_p), ("k_d", k_d)):
         number_in(value, name, "a finite gain >= 0", closed=True)
-
-
-def of_six(value: ArrayLike, name: str) -> Array:
-    """Return one finite number for each of six legs, from one or six; raise ValueError otherwise."""
-    expected = "one finite number or six"
-    values = real_array(value, name, expected)
-    if values.shape not in ((), (6,)) or not np.isfinite(values).all():
-        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
-    return np.broadcast_to(values, (6,))
