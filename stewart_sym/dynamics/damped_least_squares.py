@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import number_in, real_array
+from ..io.arguments import number_in, shaped_array
 from ..kinematics.conditioning import moments_over
 from ..results import DampedLeastSquaresResult
 
@@ -77,9 +77,7 @@ def damped_least_squares(
     [0.0, 0.0, 0.0, 0.0, 0.0, 3.0]
     """
     rcond = number_in(rcond, "rcond", "a number > 0 and < 1", high=1.0)
-    scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
-    if wrench.shape[-1:] != (6,):
-        raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")
+    scaled, wrench = moments_over(H, length), shaped_array(c, (6,), "c")
     unit = np.repeat([1.0, length], 3)
     finite = np.asarray(np.isfinite(scaled).all(axis=(-2, -1)))
     U, s, V_T = np.linalg.svd(np.where(finite[..., None, None], scaled, 0.0))

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import instance, leading_shape, option, real_array
+from ..io.arguments import finite_array, instance, leading_shape, option
 from ..io.array_types import Array
 from ..kinematics.inverse_kinematics import wrench_matrix
 from ..motion.motion import Motion
@@ -388,11 +388,7 @@ def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedFor
 
 def _together(motion: Motion, F: ArrayLike) -> tuple[Motion, Array]:
     """Broadcast a motion and forces to one leading shape."""
-    forces = real_array(F, "F", "forces of shape (..., 6)")
-    if forces.shape[-1:] != (6,):
-        raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
-    if not np.isfinite(forces).all():
-        raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
+    forces = finite_array(F, (6,), "F")
     shape = leading_shape({"motion": motion.shape, "F": forces.shape[:-1]})
     return _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
 
