@@ -72,10 +72,7 @@ class PlanRequest:
 
     def of_poses(self, text: str) -> str:
         """Add the file and the doubt of the via poses to a message; in a TOML file, keys replace numbers."""
-        text = f"{text}; {self.doubt}" if self.doubt else text
-        if len(self.files) > 2:
-            return f"{self.files[-1]}: {text}"
-        return f"{self.files[0]}: {text.replace('via pose ', 'via ', 1)}"
+        return _of_poses(f"{text}; {self.doubt}" if self.doubt else text, self.files)
 
 
 @contextlib.contextmanager
@@ -140,7 +137,11 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
             warn(f"{source}: via: {doubt}", TrajectoryWarning)
         order = robot.trajectory_format.rotation_order
         poses = tuple(ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given)
-    request = PlanRequest(
+    try:
+        need_poses(poses)
+    except ValueError as error:
+        raise ValueError(_of_poses(str(error), files)) from None
+    return PlanRequest(
         robot,
         poses,
         path_limits,
@@ -150,11 +151,12 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         doubt=doubt,
         **options,
     )
-    try:
-        need_poses(poses)
-    except ValueError as error:
-        raise ValueError(request.of_poses(str(error))) from None
-    return request
+
+
+def _of_poses(text: str, files: Sequence[Path]) -> str:
+    """Add the file of the via poses to a message."""
+    apart = len(files) > 2
+    return f"{files[-1]}: {text}" if apart else f"{files[0]}: {text.replace('via pose ', 'via ', 1)}"
 
 
 def _limits(value: object, prefix: str) -> tuple[PoseLimits, PathLimits]:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import deviations, finite_array, instance, real_array
-from ..io.array_types import Array, Indices
+from ..io.array_types import Array
 from ..io.error_policy import warn
 from ..io.progress import Progress, silent
 from ..kinematics.forward_kinematics import (
@@ -274,7 +274,7 @@ def read_trajectory(
     return on_platform(robot, read_log_of(robot, path, file_format, smoothing), guess)
 
 
-def _in_parts(function: Callable[[Indices], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
+def _in_parts(function: Callable[..., tuple[Array, Array]], count: int) -> tuple[Array, Array]:
     """Evaluate two vectors, shape (n, 3), in parts of the samples to limit memory."""
     # The parts have equal sizes, because NumPy computes small ones with other last bits than the C code.
     parts = [function(part) for part in np.array_split(np.arange(count), max(1, count // _PART))]
