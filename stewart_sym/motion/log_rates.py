@@ -25,7 +25,7 @@ _GAINS = np.array([1.0, 1.38, 4.8])
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
-# Ratio of the stated and the estimated noise, or its inverse, that is a contradiction.
+# Ratio of the stated and the estimated noise, or its inverse, above which they contradict each other.
 _CONTRADICTS = 5.0
 # A step this many times as long as nine of ten is a gap.
 _GAP = 8.0

@@ -403,5 +403,5 @@ def rotations(value: object, name: str, batch: bool = True) -> Array:
             finding += f": these are numbers of single precision, give {name} as an array of float32"
         place = f"[{', '.join(map(str, where))}]" if where else ""
         raise ValueError(f"{name}{place}: expected a rotation matrix, {finding}")
-    # A Newton step squares the error, so two steps leave only rounding errors of a double.
+    # A Newton step squares the error; after two steps only rounding errors of a double remain.
     return rotation.orthonormal(rotation.orthonormal(R)) if in_float else R
