@@ -6,10 +6,9 @@ or NaN.
 
 from __future__ import annotations
 
-import dataclasses
 import functools
 from collections.abc import Callable
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,8 +54,7 @@ class _VectorKernel:
         """Return the results by name of inverse dynamics or joint reactions, as ``CKernel.run``."""
         offset = self.robot.offsets is not None
         of, faults = (offset_joints, ()) if offset else (newton_euler, (self.faults,))
-        found: dict[str, Any] = vars(getattr(of, output)(self.robot, motion, *faults, *given))
-        return found
+        return dict(vars(getattr(of, output)(self.robot, motion, *faults, *given)))
 
 
 DynamicsKernel = CKernel | NumpyKernel | _VectorKernel
@@ -136,12 +134,12 @@ def inverse_dynamics(
     0
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    found = results.InverseDynamicsResult(**kernel.run("inverse_dynamics", motion))
+    found = kernel.run("inverse_dynamics", motion)
     if on_singular == "damped":
-        error = np.where((found.status == results.OK)[..., None], np.zeros(6), np.nan)
-        found = dataclasses.replace(found, wrench_error=error)
-        found = _damped(found, motion, lambda poses: damped_terms(robot, poses, formulation))
-    return _checked(found, found.F, robot, motion, on_singular)
+        found["wrench_error"] = np.where((found["status"] == results.OK)[..., None], np.zeros(6), np.nan)
+        _damp(found, motion, lambda poses: damped_terms(robot, poses, formulation))
+    _report(found["status"], found["F"], robot, motion, on_singular)
+    return results.InverseDynamicsResult(**found)
 
 
 def joint_reactions(
@@ -209,10 +207,15 @@ def joint_reactions(
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     where = per_leg(0.0 if bearing_distance is None else bearing_distance, "bearing_distance")
-    found = _without_overflow(results.JointReactionsResult(**kernel.run("joint_reactions", motion, where)))
+    found = kernel.run("joint_reactions", motion, where)
+    status = found.pop("status")
+    values = {name: each for name, each in found.items() if each is not None}
+    # Reactions can overflow although the forces do not.
+    found = newton_euler.with_status(values, newton_euler.without_overflow(values, status))
     if on_singular == "damped":
-        found = _damped(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
-    return _checked(found, found.M_u, robot, motion, on_singular)
+        _damp(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
+    _report(found["status"], found["M_u"], robot, motion, on_singular)
+    return results.JointReactionsResult(**found)
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -363,15 +366,6 @@ def _say_once(text: str) -> None:
     warn(text, RuntimeWarning)
 
 
-def _without_overflow(found: results.JointReactionsResult) -> results.JointReactionsResult:
-    """Set a nonzero status and NaN for poses whose reactions overflow although the forces do not."""
-    values = {name: each for name, each in vars(found).items() if name != "status" and each is not None}
-    status = newton_euler.without_overflow(values, found.status)
-    if (status == found.status).all():
-        return found
-    return results.JointReactionsResult(**newton_euler.with_status(values, status))
-
-
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
     """Compute F, D, x, K, H, c, and wrench_error by ``damped_least_squares``, without a status.
 
@@ -396,28 +390,19 @@ def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: A
     return NumpyKernel(robot, formulation).reactions_of(motion, x, bearing)
 
 
-Result = TypeVar("Result", results.InverseDynamicsResult, results.JointReactionsResult)
-
-
-def _damped(found: Result, motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> Result:
+def _damp(found: dict[str, Any], motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> None:
     """Replace the values of the poses with singular H by damped values; ``values`` computes them by name."""
-    singular = found.status == results.SINGULAR
-    if not singular.any():
-        return found
-    changed = {}
-    for name, value in values(motion[singular]).items():
-        changed[name] = getattr(found, name).copy()
-        changed[name][singular] = value
-    return dataclasses.replace(found, **changed)
+    singular = found["status"] == results.SINGULAR
+    if singular.any():
+        for name, value in values(motion[singular]).items():
+            found[name][singular] = value
 
 
-def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
-    """Report unsolvable poses and return the result; ``values`` (..., 6) are finite if damping succeeded."""
-    status = result.status
+def _report(status: Codes, values: Array, robot: Robot, motion: Motion, on_singular: str) -> None:
+    """Report unsolvable poses; ``values`` (..., 6) are finite if damping succeeded."""
     if on_singular == "damped":
         status = np.where(np.isfinite(values).all(axis=-1), results.OK, status).astype(np.int32)
     report_faults(status, robot, motion, on_singular)
-    return result
 
 
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str) -> None:

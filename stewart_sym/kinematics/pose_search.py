@@ -81,7 +81,7 @@ def search_poses(robot: Robot, L: Array) -> PoseSearchResult:
     """Search poses with lengths (n, 6) from each likely start in turn, then from random starts."""
     directions = _likely(robot)
     best = newton(robot, L, *_over_base(robot, L, *directions[0]))
-    possible = ~_impossible(robot, L)
+    possible = ~impossible_pairs(robot, L).any(axis=(-2, -1))
     for direction in directions[1:]:
         remaining = np.flatnonzero(~best.converged & possible)
         if not remaining.size:
@@ -120,7 +120,8 @@ def nearest_poses(robot: Robot, L: Array, R: Array, t: Array) -> PoseSearchResul
     poses near the results; and finally from starts around the guess.
     """
     best = newton(robot, L, R, t)
-    doubtful = np.flatnonzero(~(best.converged & _is_nearest(robot, (R, t), best)) & ~_impossible(robot, L))
+    possible = ~impossible_pairs(robot, L).any(axis=(-2, -1))
+    doubtful = np.flatnonzero(~(best.converged & _is_nearest(robot, (R, t), best)) & possible)
     if not doubtful.size:
         return best
     guess, lengths = (R[doubtful], t[doubtful]), L[doubtful]
@@ -220,11 +221,6 @@ def _is_nearest(robot: Robot, guess: Poses, found: PoseSearchResult) -> Flags:
         arm = np.max(_size(q), axis=-1) / length
         bend = (1.0 + arm**2) / np.min(L, axis=-1) + arm / length
         return np.asarray(bend * distance(guess, found[:2], length) <= least)
-
-
-def _impossible(robot: Robot, L: Array) -> Flags:
-    """Return True for lengths (n, 6) that certainly have no pose, shape (n,)."""
-    return np.asarray(impossible_pairs(robot, L).any(axis=(-2, -1)))
 
 
 def impossible_pairs(robot: Robot, L: Array) -> Flags:
