@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -107,6 +107,19 @@ def need_mass(body: Body, what: str) -> None:
         raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
 
 
+class Cross(NamedTuple):
+    """Body between the axes of a joint, which is added to a part.
+
+    exact: True if forces at rest do not change. rigid: True if it rotates like the part, or has no inertia.
+    """
+
+    name: str
+    part: str
+    solid: bodies.Body
+    exact: bool
+    rigid: bool
+
+
 class LegFields:
     """Fields of one leg of a robot, with messages about assumptions.
 
@@ -122,7 +135,7 @@ class LegFields:
         self.said: list[str] = []
         self.off = 0.0
         self.farthest = (0.0, f"leg {number}")
-        self.crosses: list[tuple[str, str, bodies.Body]] = []
+        self.crosses: list[Cross] = []
         self.offset: dict[str, Any] = {}
         lower, upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
         for body in (lower, upper):
@@ -269,7 +282,9 @@ class LegFields:
             inertia = (k @ inertia @ k) * (np.eye(3) - np.outer(axis, axis))
         elif k is None and part != PLATFORM:
             inertia = np.trace(inertia) / 3.0 * np.eye(3)
-        self.crosses.append((body.name, part, bodies.Body(mass, point + kept, inertia)))
+        rigid = (part == LOWER and k is not None) or not body.inertia.any()
+        exact = off <= _ROUNDING * self.L
+        self.crosses.append(Cross(body.name, part, bodies.Body(mass, point + kept, inertia), exact, rigid))
 
     def _part(self, body: Body, end: Array, part: str) -> dict[str, Any]:
         """Return mass, center of mass, and inertia of a part ("d" lower, "u" upper) in its frame."""
@@ -314,5 +329,5 @@ class LegFields:
 
 def with_crosses(body: Body, legs: Sequence[LegFields], part: str) -> Body:
     """Add the bodies between axes that are assigned to a part to its mass, center of mass, and inertia."""
-    taken = [solid for leg in legs for _, own, solid in leg.crosses if own == part]
+    taken = [each.solid for leg in legs for each in leg.crosses if each.part == part]
     return body.with_solids([body.solid, *taken]) if taken else body

@@ -68,9 +68,11 @@ def robot_of(model: Model) -> tuple[Robot, list[str]]:
     if offset:
         lines.append("joint offsets: axes at the base that do not meet are imported with their distances")
     for part in (LOWER, UPPER, PLATFORM):
-        names = ", ".join(repr(name) for leg in legs for name, own, _ in leg.crosses if own == part)
-        if names:
-            lines.append(f"between the axes of joints: {names}: imported as mass of the {part}")
+        if crosses := [each for leg in legs for each in leg.crosses if each.part == part]:
+            names = ", ".join(repr(each.name) for each in crosses)
+            exact = ", which leaves forces at rest as they are" if all(each.exact for each in crosses) else ""
+            rigid = "" if all(each.rigid for each in crosses) else "; in motion they turn as that does"
+            lines.append(f"between the axes of joints: {names} count as the {part}{exact}{rigid}")
     lines += _force_lines(machine, model, legs, robot)
     return robot, lines + [f"left out: {each}" for each in _grouped([*model.left_out, *_other_joints(model)])]
 

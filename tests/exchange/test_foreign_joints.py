@@ -77,11 +77,13 @@ def test_a_cross_with_its_mass_off_the_axes_is_imported_with_its_effect(name: st
     pair = axes[:2] if name.endswith("_1") else axes[1:]
     off = OFF * np.cross(*pair) / np.linalg.norm(np.cross(*pair))
     errors = []
-    for each in (np.zeros(3), off):
-        changed = with_mass(made, name, point, each)
+    for off_by in (np.zeros(3), off):
+        changed = with_mass(made, name, point, off_by)
         text = mjcf(changed, seed)
         found = imported(text, tmp_path)
         stated = re.findall(r"off by up to (\S+) N", "\n".join(found.assumptions))
+        (line,) = (each for each in found.assumptions if "between the axes" in each and repr(name) in each)
+        assert ("leaves forces at rest as they are" in line) == (not off_by.any())
         F, truth = at_rest(found, InMujoco(text), changed)
         errors.append((float(np.abs(F - truth).max()), [float(value) for value in stated]))
     (exact, nothing), (error, (bound,)) = errors
