@@ -95,7 +95,18 @@ class TrajectoryFormat:
         return self.euler_order or "zyx"
 
     def std_in_si(self, position: float | None, angle: float | None) -> tuple[float | None, float | None]:
-        """Convert standard deviations from the units of the file to m and rad; None remains None."""
+        """Convert standard deviations from the units of the file to m and rad.
+
+        Parameters
+        ----------
+        position, angle : float or None
+            Standard deviations in the units of the file.
+
+        Returns
+        -------
+        tuple of float or None
+            Standard deviations in m and rad; None remains None.
+        """
         meters, radians = LENGTH_UNITS[self.length_unit or "m"], ANGLE_UNITS[self.angle_unit or "rad"]
         return position and position * meters, angle and angle * radians
 
