@@ -344,15 +344,17 @@ def _need_layout(
 
 def _need(name: str, array: Any, shape: tuple[int, ...], dtype: Any, stride: int = 0) -> None:
     """Raise ValueError for another shape, type, or layout: columns with a distance in numbers, or C order."""
-    size = np.dtype(dtype).itemsize
-    layout = f"rows {stride * size} bytes apart" if stride else "C-contiguous"
-    got = shown(array)
-    if isinstance(array, np.ndarray):
-        got = f"{array.shape} of {array.dtype} with strides {array.strides}, aligned: {array.flags.aligned}"
+    size, is_array = np.dtype(dtype).itemsize, isinstance(array, np.ndarray)
+    if is_array and array.shape == shape and array.dtype == dtype and array.flags.aligned:
         along = array.strides[-1] == size or array.shape[-1] < 2
         fits = along and array.strides[0] == stride * size if stride else array.flags.c_contiguous
-        if array.shape == shape and array.dtype == dtype and array.flags.aligned and (fits or not array.size):
+        if fits or not array.size:
             return
+    # Texts only for an error, because the text of a large array takes longer than the forces.
+    layout = f"rows {stride * size} bytes apart" if stride else "C-contiguous"
+    got = shown(array)
+    if is_array:
+        got = f"{array.shape} of {array.dtype} with strides {array.strides}, aligned: {array.flags.aligned}"
     raise ValueError(f"{name}: expected an aligned array {shape} of {np.dtype(dtype)}, {layout}, got {got}")
 
 
