@@ -48,7 +48,7 @@ def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: 
     """Raise ValueError if a file cannot be written, is an input, or is not ours and ``force`` is False."""
     folder = next(each for each in path.absolute().parents if each.exists())
     if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise ValueError(f"{path}: cannot write a file here; use another name")
+        raise ValueError(f"{path if folder.is_dir() else folder}: cannot write a file here; use another name")
     if any(each.exists() and path.exists() and path.samefile(each) for each in inputs):
         raise ValueError(f"{path}: is an input; use another name")
     if path.exists() and not (is_ours or force):
