@@ -43,10 +43,9 @@ class _Condition(NamedTuple):
 def negative(robot: Robot, base: BaseParametersResult, values: Array, covariance: Array) -> Negative:
     """Find identified results below zero that no physical robot has, classified by their noise.
 
-    In a physical robot friction is not negative, the sum of the inertias of the two parts of a leg has
-    positive second moments, and the platform with the masses of the upper parts has a positive definite
-    pseudo-inertia. Conditions on bodies are checked if only parameters that are dependent for every robot are
-    merged.
+    In a physical robot, friction is not negative. The sum of the inertias of both parts of a leg has positive
+    second moments. The platform with the masses of the upper parts has a positive definite pseudo-inertia.
+    Conditions on bodies are checked if only parameters that are dependent for every robot are merged.
     """
     impossible, near_zero = [], []
     for text, unit, coefficients in _conditions(robot, base, base.expansion @ values):

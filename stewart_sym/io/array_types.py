@@ -13,7 +13,7 @@ Indices = NDArray[np.intp]
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """Return a read-only view of an array, whose owner becomes read-only too, so that it stays read-only."""
+    """Return a view of an array that cannot be made writable, because the owner of its data is read-only."""
     owner = array if array.flags.owndata else array.copy()
     owner.setflags(write=False)
     return owner.view()
