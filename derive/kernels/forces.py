@@ -48,11 +48,11 @@ def forces(k: Trace, kernel: ForceKernel, scaled: bool | None = None) -> None:
         # A leg is q + t - b, so a leg that is short compared with q is also short compared with t or b.
         least_L = k.let("least_L", as_value(2.25) * constant("SHORT_SHARE") * reach)
     with k.part("legs_fit", "Marks a pose in which a leg must be examined."):
-        any_unfit = k.accumulator("any_unfit", as_value(0.0), operator="larger")
+        any_unfit = k.accumulator("any_unfit", as_value(0.0), operator="mark")
         is_short = k.let("is_short", as_value(0.0))
     with k.part("leg_terms", _says("a leg: its D, its column of H, and its part of c", rest), per_leg=True):
         leg = k.run(rest, pose, known, ready)
-        unfit = where(leg[n.L][0] > least_L, 0.0, 1.0)
+        unfit = where(leg[n.L][0] > least_L, any_unfit, 1.0)
         near = kernel.leg_near_singular
         if n.k3 in leg:
             least = constant("JOINT_SINGULAR_SINE" if near is None else "NEAR_JOINT_SINGULAR")

@@ -17,7 +17,7 @@ from .placement import where_read
 from .read import LANES, POSES
 from .recorder import Branch, Part, Reject, Step, Trace
 from .schedule import LANE, LEG_INDEX, Schedule, placed
-from .values import LEGS, Value, joined
+from .values import LEGS, Value, binary
 
 INLINE_STEPS = 12
 """Most steps of a part with legs in lanes that compilers may inline; a larger one requires all registers."""
@@ -89,11 +89,19 @@ class Lanes(Schedule):
         return slot.member if slot.index is None else f"{slot.member}_{slot.index}"
 
     def _computed(self, part: Part, step: Step, name: str, value: t.Expression) -> list[t.Statement]:
-        """Return a step as a constant, or as an assignment if only other parts read it."""
-        only_stored = step.name in self.crossing and step.name not in self._read_in(part)
-        if only_stored and step.per_leg == part.per_leg and not self._is_selected(step.name):
+        """Return a step as a constant, or as an assignment if it is stored at once."""
+        if step.name in self.crossing and not self._is_stored_last(part, step):
             return [*_remark(step), self._store(step, value)]
         return [*_remark(step), t.Let(name, value)]
+
+    def _is_stored_last(self, part: Part, step: Step) -> bool:
+        """Return True for a result that its own part reads, and for a quotient.
+
+        Processors store in order, so that every store after that of a quotient would wait for it.
+        """
+        is_quotient = isinstance(step.expr, t.Binary) and step.expr.operator == "/"
+        read = step.name in self._read_in(part) or step.per_leg != part.per_leg
+        return is_quotient or read or self._is_selected(step.name)
 
     def _read_in(self, part: Part) -> set[str]:
         """Return the names that a part reads, which are searched once."""
@@ -103,14 +111,8 @@ class Lanes(Schedule):
         return self._names_read[part.name]
 
     def _to_store(self, part: Part) -> list[Step]:
-        """Return the stored results that are also read in their own part."""
-        return [
-            step
-            for step in self.stored(part)
-            if step.name in self._read_in(part)
-            or step.per_leg != part.per_leg
-            or self._is_selected(step.name)
-        ]
+        """Return the results that are stored at the end of a part."""
+        return [step for step in self.stored(part) if self._is_stored_last(part, step)]
 
     def _store(self, step: Step, value: t.Expression) -> t.Assign:
         """Return the assignment of a result to its location."""
@@ -212,9 +214,8 @@ class Lanes(Schedule):
         for step in self.steps_of(part):
             if step.joins or step.name in self.trace.accumulators:
                 name, term = step.joins or step.name, placed(step.expr, place)
-                if step.joins:
-                    before = totals.get(name, self.place(name, None))
-                    term = joined(self.trace.accumulators[name], before, term)
+                if step.joins and self.trace.accumulators[name] != "mark":
+                    term = binary("+", totals.get(name, self.place(name, None)), term)
                 totals[name] = term
                 continue
             legs: Sequence[int | None] = [None]

@@ -5,7 +5,7 @@ interpreter the type of the values; neither changes the order. Other modules imp
 """
 
 import re
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, dataclass_transform
 
@@ -389,6 +389,15 @@ def calls_in(node: Any) -> Iterator[Call]:
 def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
     """Return a node with changed contents of its fields."""
     return type(node)(*(change(getattr(node, name)) for name in node.__match_args__))
+
+
+def substituted(node: Any, expressions: Mapping[str, Expression]) -> Any:
+    """Replace names by expressions; other names remain."""
+    if isinstance(node, Name):
+        return expressions.get(node.name, node)
+    if isinstance(node, tuple):
+        return tuple(substituted(each, expressions) for each in node)
+    return mapped(node, lambda part: substituted(part, expressions)) if isinstance(node, Node) else node
 
 
 def parts_of(node: Any, kind: type[Node] = Node) -> Iterator[Any]:

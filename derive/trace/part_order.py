@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 from . import nodes as t
 from .recorder import Branch, Part, Step, Trace
-from .values import LEGS, joined
+from .values import LEGS, binary
 
 
 def reads(node: Any) -> Iterator[tuple[str, int | None]]:
@@ -27,8 +27,13 @@ def reads(node: Any) -> Iterator[tuple[str, int | None]]:
 
 
 def with_sums(trace: Trace, body: list[Any]) -> list[Any]:
-    """Compute each accumulator at once, after the parts of the legs that join it."""
+    """Compute each accumulator at once, after the parts of the legs that join it.
+
+    The mark of each leg begins with the start of its accumulator, not with the marks of the legs before.
+    """
     terms: dict[str, list[str]] = {name: [] for name in trace.accumulators}
+    steps = (step for item in body for step in _steps(item))
+    marks = {step.name: step.expr for step in steps if trace.accumulators.get(step.name) == "mark"}
     last = dict.fromkeys(terms, 0)
     for at, step in ((at, step) for at, item in enumerate(body) for step in _steps(item) if step.joins):
         ((name, _),) = reads(step.expr)
@@ -44,7 +49,7 @@ def with_sums(trace: Trace, body: list[Any]) -> list[Any]:
         elif not isinstance(item, Part):
             found.append(item)
         elif steps := [step for step in item.steps if not step.joins]:
-            found.append(replace(item, steps=steps))
+            found.append(replace(item, steps=[_of_one_leg(step, marks) for step in steps]))
         found += [part for last_at, part in waiting if last_at == at]
     return found
 
@@ -55,9 +60,15 @@ def _sum(trace: Trace, step: Step, terms: list[str]) -> t.Expression:
     for leg in range(LEGS):
         for name in terms:
             if not (leg == 0 and name in trace.zero_at_first):
-                operator = trace.accumulators[step.name]
-                total = joined(operator, total, t.at(name, leg))
+                term = t.at(name, leg)
+                is_mark = trace.accumulators[step.name] == "mark"
+                total = t.Call("larger", (total, term)) if is_mark else binary("+", total, term)
     return total
+
+
+def _of_one_leg(step: Step, starts: Mapping[str, t.Expression]) -> Step:
+    """Replace accumulators in a step of a leg by their starts."""
+    return replace(step, expr=t.substituted(step.expr, starts)) if step.per_leg else step
 
 
 def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
@@ -76,7 +87,7 @@ def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
         read = _read(item)
         legs = {leg for name, leg in read if name in trace.per_leg}
         late = {name for name, _ in read} & set().union(*map(_written, after))
-        totals = {name for name, _ in read if name in trace.accumulators}
+        totals = {name for name, _ in read if name in trace.accumulators} - _written(item)
         if not isinstance(item, Part) or late or totals:
             after.append(item)
         elif item.per_leg:

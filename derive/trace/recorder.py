@@ -137,7 +137,8 @@ class Trace:
     zero_at_first : set of str
         Names of steps that are zero for leg 1.
     accumulators : dict
-        Operators by which the parts of the legs join an accumulator, by its name: ``+`` or ``larger``.
+        Operators by which the legs join an accumulator, by its name: ``+``, or ``mark`` if the value of a leg
+        is the accumulator or 1.
     result : list of Value
         Results of the kernel.
     unfinished : list of Value
@@ -298,13 +299,5 @@ def _value(expr: sp.Expr, values: Mapping[str, Value], ready: Mapping[str, int])
     """Convert an expression; values replace its symbols."""
     read = [values[symbol.name] for symbol in sp.sympify(expr).free_symbols]
     trace = next((value.trace for value in read), None)
-    return Value(_with_values(expression(expr, ready), values), any(each.per_leg for each in read), trace)
-
-
-def _with_values(node: Any, values: Mapping[str, Value]) -> Any:
-    """Replace the names of a node by the expressions of values."""
-    if isinstance(node, t.Name):
-        return values[node.name].expr
-    if isinstance(node, tuple):
-        return tuple(_with_values(each, values) for each in node)
-    return t.mapped(node, lambda part: _with_values(part, values)) if isinstance(node, t.Node) else node
+    known = {name: value.expr for name, value in values.items()}
+    return Value(t.substituted(expression(expr, ready), known), any(each.per_leg for each in read), trace)

@@ -134,11 +134,5 @@ def where(test: Value, yes: Value | float, no: Value | float) -> Value:
 def larger(one: Value, two: Value | float) -> Value:
     """Return the larger of two values."""
     other = as_value(two)
-    return Value(
-        joined("larger", one.expr, other.expr), one.per_leg or other.per_leg, one.trace or other.trace
-    )
-
-
-def joined(operator: str, left: t.Expression, right: t.Expression) -> t.Expression:
-    """Return the sum of two expressions, or the larger of them."""
-    return t.Call("larger", (left, right)) if operator == "larger" else binary(operator, left, right)
+    expr = t.Call("larger", (one.expr, other.expr))
+    return Value(expr, one.per_leg or other.per_leg, one.trace or other.trace)

@@ -380,8 +380,8 @@ STEWART_APART static void compute_leg_roots_pose(
         /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
-        leg_roots->inv_L[l] = REAL(1)/L;
-        leg_roots->inv_rho[l] = REAL(1)/rho;
+        const stewart_real inv_L = REAL(1)/L;
+        const stewart_real inv_rho = REAL(1)/rho;
         leg_roots->q[0][l] = q_x;
         leg_roots->q[1][l] = q_y;
         leg_roots->q[2][l] = q_z;
@@ -394,6 +394,8 @@ STEWART_APART static void compute_leg_roots_pose(
         leg_roots->k_cross_S_z[l] = k_cross_S_z;
         leg_roots->L[l] = L;
         leg_roots->rho[l] = rho;
+        leg_roots->inv_L[l] = inv_L;
+        leg_roots->inv_rho[l] = inv_rho;
     }
 }
 
@@ -1335,8 +1337,8 @@ STEWART_APART static void compute_leg_roots_block(
         /* (2) leg length, and distance of the tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
-        leg_roots->inv_L[l] = REAL(1)/L;
-        leg_roots->inv_rho[l] = REAL(1)/rho;
+        const stewart_real inv_L = REAL(1)/L;
+        const stewart_real inv_rho = REAL(1)/rho;
         leg_roots->q[0][l] = q_x;
         leg_roots->q[1][l] = q_y;
         leg_roots->q[2][l] = q_z;
@@ -1349,6 +1351,8 @@ STEWART_APART static void compute_leg_roots_block(
         leg_roots->k_cross_S_z[l] = k_cross_S_z;
         leg_roots->L[l] = L;
         leg_roots->rho[l] = rho;
+        leg_roots->inv_L[l] = inv_L;
+        leg_roots->inv_rho[l] = inv_rho;
     }
 }
 
@@ -1601,6 +1605,7 @@ static void compute_leg_terms_block(
         const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         const stewart_real C_p = model->C_p[leg];
         const stewart_real least_L = shared_terms->least_L[l];
+        const stewart_real any_unfit = legs_fit->any_unfit[l];
         /* (24) known part of the actuator force for this K */
         leg_terms->D[l] = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
             STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot)))));
@@ -1612,9 +1617,9 @@ static void compute_leg_terms_block(
         leg_terms_now->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
         leg_terms_now->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
         leg_terms_now->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
-        const stewart_real unfit = L > least_L ? REAL(0) : REAL(1);
+        const stewart_real unfit = L > least_L ? any_unfit : REAL(1);
         const stewart_real unfit_2 = k3 > STEWART_NEAR_JOINT_SINGULAR ? unfit : REAL(1);
-        legs_fit->any_unfit[l] = STEWART_LARGER(legs_fit->any_unfit[l], unfit_2);
+        legs_fit->any_unfit[l] = unfit_2;
         columns->H[0][l] = s_x;
         columns->H[1][l] = s_y;
         columns->H[2][l] = s_z;
