@@ -60,6 +60,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         text, file = one_line(error), getattr(arguments, "robot", None)
         if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
             text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
+            text = text.replace("this function", arguments.subcommand)
         if not isinstance(error, BrokenPipeError):
             print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:

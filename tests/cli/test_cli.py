@@ -13,6 +13,8 @@ from kits import few_vectors
 
 from stewart_sym.cli import main as cli
 
+EXAMPLES = Path(__file__).parents[2] / ".docs/examples"
+
 # reproduce
 
 
@@ -51,6 +53,22 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
     warnings = captured.err.splitlines()
     assert len(warnings) == 3
     assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
+
+
+@pytest.mark.parametrize(
+    "words", [("generate", "-o", "kit"), ("singularities", "III"), ("workspace", "--min-clearance", "0.01")]
+)
+def test_a_subcommand_without_offset_joints_says_so_with_a_remedy(
+    words: tuple[str, ...], fails: Fails, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    robot = tmp_path / "robot.toml"
+    robot.write_text((EXAMPLES / "offset-joints.toml").read_text())
+    line = fails(words[0], robot, *words[1:])
+    assert line.startswith(
+        f"stewart-sym: error: {robot}: offsets: expected none, because {words[0]} does not"
+    )
+    assert line.endswith("; delete offsets and cross of the legs to neglect them")
 
 
 def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory: Path, fails: Fails) -> None:
