@@ -2,8 +2,8 @@
 
 The command reads arguments, calls the library, prints results, and converts errors into one line and an exit
 code: 0 success, 1 negative result of ``derive --check``, ``identify``, ``plan``, or ``stability``, 2 error,
-128 + n for signal n (130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP). A subcommand imports SymPy, SciPy, and
-Matplotlib only if it uses them.
+128 + n for signal n (130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP, 141 for a closed pipe). A subcommand
+imports SymPy, SciPy, and Matplotlib only if it uses them.
 """
 
 import argparse
@@ -27,6 +27,9 @@ GROUPS = {
     "studies": ("reproduce", "chart", "stability", "benchmark"),
 }
 """Subcommands by group, in the order of the help."""
+
+CLOSED_PIPE = 141
+"""Exit code if the reader of standard output has ended, 128 + 13 for SIGPIPE."""
 
 SUBCOMMANDS = {
     name: (title.replace("computation", "machine"), name.replace("-", "_").replace("import", "import_model"))
@@ -61,13 +64,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
             text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
             text = text.replace("this function", arguments.subcommand)
-        if not isinstance(error, BrokenPipeError):
+        closed = isinstance(error, BrokenPipeError)
+        if not closed:
             print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
             give_up_stdout()
-        return 2
+        return CLOSED_PIPE if closed else 2
 
 
 def subcommand_parser(name: str) -> argparse.ArgumentParser:
