@@ -23,20 +23,10 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class OffsetLines:
-    """Both axes at the base and the sliding axis of a leg, in the world frame.
+    """Both axes at the base and the sliding axis of a leg, in the world frame, shape (3,) each.
 
-    Attributes
-    ----------
-    b : ndarray, shape (3,)
-        Base point.
-    A : ndarray, shape (3,)
-        Intersection of the common normal o with the moving axis.
-    k, y : ndarray, shape (3,)
-        Directions of the fixed and of the moving axis.
-    tip : ndarray, shape (3,)
-        End of the sliding axis.
-    s : ndarray, shape (3,)
-        Direction of the sliding axis away from the base.
+    b: base point. A: intersection of the common normal o with the moving axis. k, y: directions of the fixed
+    and of the moving axis. tip, s: end of the sliding axis, and its direction away from the base.
     """
 
     b: Array

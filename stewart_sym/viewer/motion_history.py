@@ -57,18 +57,9 @@ _SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """Time that the time line marks.
+    """Time (s) that the time line marks, with its pose and singularity measures.
 
-    Attributes
-    ----------
-    time : float
-        Time (s).
-    motion : Motion
-        Pose at this time.
-    at : SingularityResult
-        Singularity measures.
-    singular : bool
-        True if H is singular; False for the largest condition number of the motion.
+    singular: False for the largest condition number of a motion without singular poses.
     """
 
     time: float
@@ -79,18 +70,10 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Effects of the noise of a log at n samples.
+    """Effects of the noise of a log at n samples, with a description in ``text``.
 
-    Attributes
-    ----------
-    text : str
-        Description of the noise and its treatment.
-    sd : Deviations
-        Standard deviations, with forces F of the first formulation, and F_exact and F_paper by formulation.
-    there : ndarray of bool, shape (n,)
-        Flags of samples whose standard deviations include replaced rows.
-    replaced : tuple of Replaced
-        Replaced rows.
+    sd: standard deviations, with forces F of the first formulation, and F_exact and F_paper by formulation.
+    there: flags of samples, (n,), whose standard deviations include replaced rows.
     """
 
     text: str
@@ -136,23 +119,11 @@ class MotionHistory:
 
 @dataclass(frozen=True, eq=False)
 class LimitReport:
-    """Limits of a robot compared with its motion.
+    """Limits of a robot, if ``stated``, compared with its motion.
 
-    Attributes
-    ----------
-    stated : bool
-        True if the robot has limits.
-    told : tuple of tuple of str
-        Status and text of each limit that is exceeded or inconclusive, as in the subcommand ``forces``.
-    codes : dict of ndarray, shape (n, 6)
-        Indices of ``VERDICTS`` at each sample by quantity: F with its formulation, L, L_dot, and motor
-        torque, speed, current, and power.
-    F : ndarray, shape (n, 6)
-        Forces from which the motor quantities are computed (N).
-    motors : MotorStates, optional
-        Motor quantities of each sample; None without a drive.
-    tracker : LimitTracker
-        Status of the limits, and motor quantities of the whole motion.
+    told: status and text of each limit that is exceeded or inconclusive. codes: indices of ``VERDICTS`` at
+    each sample, (n, 6), by quantity: F with its formulation, L, L_dot, and quantities of the motors. F:
+    forces (N), (n, 6), from which the motor quantities are computed. tracker: limits of the whole motion.
     """
 
     stated: bool
