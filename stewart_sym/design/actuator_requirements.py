@@ -323,12 +323,12 @@ def _noise(
     """Return the standard deviations of a motion by name, and a flag for samples of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
-    sd = {_NAMES.get(name, name): values for name, values in found.items() if name != "electrical_power"}
+    sd = {NAMES.get(name, name): values for name, values in found.items() if name != "electrical_power"}
     return sd, at_replaced(trajectory, given.time)
 
 
-_NAMES = {"base": "base_angle", "platform": "platform_angle", "leg_power": "power"}
-_NAMES |= {"speed": "motor_speed", "power": "motor_power"}
+NAMES = {"base": "base_angle", "platform": "platform_angle", "leg_power": "power"}
+NAMES |= {"speed": "motor_speed", "power": "motor_power"}
 """Names of standard deviations that differ from the names of ``ActuatorHistory``."""
 
 _OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {

@@ -80,7 +80,7 @@ def _verdict(robot: Robot, needs: ActuatorRequirementsResult, limits: LimitMargi
         return _counts(limits)
     if _unknown(needs):
         return "inconclusive: forces cannot be determined at this noise level"
-    stated = states_limits(robot, needs)
+    stated = states_limits(robot)
     margin = f"with the margin of {100.0 * needs.margin:g} %"
     return f"no limit is exceeded, {margin}" if stated else "the robot file states no limit"
 
