@@ -4,8 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
@@ -263,6 +264,18 @@ class LimitTracker:
         found, rms, sd = Extremes(), self.rms_torque[None], self.rms_torque_sd
         found.add(rms, rms, 0, None if sd is None else (sd[None], sd[None]))
         return found
+
+
+def times_of(motion: Motion, time: ArrayLike, name: str = "time", least: int = 1) -> Array:
+    """Return the finite, increasing times (s) of at least ``least`` samples of a motion, shape (n,)."""
+    when = real_array(time, name, "times of shape (n,)")
+    if motion.shape != when.shape or when.ndim != 1 or len(when) < least:
+        expected = f"expected a time for each sample of a motion of shape (n,), n >= {least}"
+        raise ValueError(f"{name}: {expected}, got {when.shape} and {motion.shape}")
+    if np.any(wrong := ~(np.diff(when, prepend=-np.inf) > 0.0) | ~np.isfinite(when)):
+        i = int(np.argmax(wrong))
+        raise ValueError(f"{name}: expected finite, increasing times, got {when[i]} at index {i}")
+    return when
 
 
 def trapezoids(time: Array) -> Array:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..drives.limit_status import INCONCLUSIVE_NOISE, unknown_forces
 from ..drives.limits import (
@@ -19,12 +19,12 @@ from ..drives.limits import (
     limits_of,
     replaced_names,
     replaced_rows,
+    times_of,
 )
 from ..drives.motor_states import MotorStates, motor_states, of_motor_forces
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
-from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
@@ -165,16 +165,12 @@ def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
     return _history(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
 
 
-def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
+def of_motion(robot: Robot, motion: Motion, times: ArrayLike | None, name: str = "motion") -> MotionHistory:
     """Return a motion of shape (n,) at increasing times (s), (n,); forces require accelerations."""
     motion = motion[None] if motion.shape == () else motion
     if times is None and motion.shape != (1,):
         raise ValueError("time: expected the times of the motion's poses (s), got none")
-    time = np.arange(1.0) if times is None else real_array(times, "time")
-    if time.shape != motion.shape or time.ndim != 1 or not len(time):
-        raise ValueError(f"time: expected the shape of the motion, {motion.shape}, (n,), got {time.shape}")
-    if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
-        raise ValueError("time: expected finite, increasing times")
+    time = times_of(motion, [0.0] if times is None else times)
     forces: Forces = {} if motion.a is None else None
     return _history(robot, name, time, motion, _path_of(time, motion), time, forces)
 

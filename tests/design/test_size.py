@@ -115,7 +115,7 @@ def test_what_is_no_question_is_one_line() -> None:
         (3, "motions: expected pairs"),
         (motion[0], "motions: expected pairs"),
         ([time], "motions[0]: expected a pair"),
-        ([(time[:2], motion)], "motions[0]: expected a motion of the shape"),
+        ([(time[:2], motion)], "motions[0]: time: expected a time for each sample"),
         ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, increasing"),
         ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
     ):
