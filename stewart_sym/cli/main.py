@@ -1,9 +1,9 @@
 """The command ``stewart-sym`` with its subcommands.
 
-The command reads arguments, calls the library, prints results, and converts errors into one line and an exit
-code: 0 success, 1 negative result of ``derive --check``, ``identify``, ``plan``, or ``stability``, 2 error,
-128 + n for signal n (130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP, 141 for a closed pipe). A subcommand
-imports SymPy, SciPy, and Matplotlib only if it uses them.
+The command reads arguments, calls the library, prints results, and converts errors into one line. The exit
+codes are 0 for success, 1 for a negative result of ``derive --check``, ``identify``, ``plan``, or
+``stability``, and 2 for an error. Signal n gives 128 + n: 130 for Ctrl-C, and 141 for a closed pipe. A
+subcommand imports SymPy, SciPy, and Matplotlib only if it uses them.
 """
 
 import argparse

@@ -25,8 +25,9 @@ _ROUNDING = 1e-9
 class OffsetLines:
     """Both axes at the base and the sliding axis of a leg, in the world frame, shape (3,) each.
 
-    b: base point. A: intersection of the common normal o with the moving axis. k, y: directions of the fixed
-    and of the moving axis. tip, s: end of the sliding axis, and its direction away from the base.
+    The common normal o of both axes begins at the base point b and meets the moving axis at A. The
+    directions of the fixed and of the moving axis are k and y. The sliding axis ends at ``tip`` with the
+    direction s away from the base.
     """
 
     b: Array

@@ -53,8 +53,8 @@ class Shape:
 class Body:
     """Rigid body in the configuration of the model.
 
-    R, t: orientation and origin (m) in the world frame. mass: mass (kg), 0 for a body that only connects
-    joints. center, inertia: center of mass (m) and inertia about it (kg m^2) in the body frame.
+    The orientation R and the origin t (m) are in the world frame. A body that only connects joints has the
+    mass 0 kg. The center of mass (m) and the inertia about it (kg m^2) are in the body frame.
     """
 
     name: str
@@ -95,12 +95,14 @@ class Body:
 class Joint:
     """Joint between two bodies, or closure of a loop if ``cut``. Units are m, N, kg, rad, and s.
 
-    kind: revolute or prismatic with one axis, universal with two, spherical, fixed, or free. point: joint
-    point in the frame of the child; parent_point: of a cut, also in the frame of the parent. axes: directions
-    in the world frame, (n, 3), from parent to child. armature: inertia of the drive at the joint. position:
-    coordinate in the configuration of the model; of a fixed cut, its angular error. limits: limits of the
-    coordinate. effort, speed: limits of the drive. load: force and moment on the child at the joint point,
-    world axes, (6,), by springs and other effects that a robot cannot represent.
+    A joint of the kind revolute or prismatic has one axis, and a universal joint has two. Other kinds are
+    spherical, fixed, and free. The directions ``axes``, (n, 3), are in the world frame, from parent to
+    child. The joint point is in the frame of the child, and for a cut also in the frame of the parent.
+
+    The coordinate ``position`` belongs to the configuration of the model; for a fixed cut it is its angular
+    error. ``effort`` and ``speed`` are limits of the drive, and ``armature`` is its inertia at the joint.
+    ``load`` is the force and moment on the child at the joint point, world axes, (6,), by springs and other
+    effects that a robot cannot represent.
     """
 
     name: str
@@ -137,9 +139,9 @@ class Joint:
 class Model:
     """Bodies, including the world, and joints of a robot; each body follows its carrier.
 
-    gravity: gravity (m/s^2), None if the file does not contain it. note: tables of the exported robot file.
-    left_out: contents of the file that a model cannot represent. assumed: assumptions by the name of the
-    body, or by another key for the whole file.
+    The gravity (m/s^2) is None if the file does not contain it. ``note`` contains the tables of the exported
+    robot file, and ``left_out`` the contents that a model cannot represent. The keys of ``assumed`` are
+    names of bodies, or other keys for the whole file.
     """
 
     name: str

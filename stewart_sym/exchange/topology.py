@@ -47,8 +47,8 @@ class Leg:
 class Machine:
     """Rigid bodies of a model by name, its platform, and six legs.
 
-    placed: all bodies of the model. bodies: rigid bodies, each with the name and frame of its main member.
-    members: name of the rigid body by the name of each member. platform: name of the platform.
+    ``placed`` contains all bodies, and ``bodies`` the rigid bodies, each with the name and frame of its main
+    member. ``members`` maps the name of each member to the name of its rigid body.
     """
 
     placed: Mapping[str, Body]

@@ -73,7 +73,7 @@ def inertias_of_parts(tables: Mapping[str, Any]) -> dict[str, Array]:
 
 
 def _inner(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Mapping[str, Any], int]]:
-    """Yield prefix, content, and number of members of the inner tables, also of those in lists."""
+    """Yield prefix, content, and number of members of the inner tables and of tables in lists."""
     for key, value in table.items():
         members = value if isinstance(value, list | tuple) else [value]
         for i, part in enumerate(members, 1):

@@ -24,9 +24,9 @@ _GRAVITY = 9.81
 class Draft:
     """Dimensions of a machine with pairs of joints around three axes 120 degrees apart.
 
-    All lengths have the unit ``length_unit``. base_angle, platform_angle: angles between the joints of a pair
-    (degrees). height: of the platform joints above the base joints at the home pose. platform_mass: mass (kg)
-    with the payload. stroke: longest minus shortest leg, half on each side of the home pose.
+    All lengths have the unit ``length_unit``, masses are in kg, and angles between the joints of a pair are
+    in degrees. The height is the distance of the platform joints above the base joints at the home pose. The
+    platform mass includes the payload. Half of the stroke is on each side of the home pose.
     """
 
     name: str

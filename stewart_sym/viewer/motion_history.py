@@ -121,9 +121,9 @@ class MotionHistory:
 class LimitReport:
     """Limits of a robot, if ``stated``, compared with its motion.
 
-    told: status and text of each limit that is exceeded or inconclusive. codes: indices of ``VERDICTS`` at
-    each sample, (n, 6), by quantity: F with its formulation, L, L_dot, and quantities of the motors. F:
-    forces (N), (n, 6), from which the motor quantities are computed. tracker: limits of the whole motion.
+    ``told`` contains the status and text of each limit that is exceeded or inconclusive. ``codes`` contains
+    indices of ``VERDICTS`` at each sample, (n, 6): of F by formulation, of L, of L_dot, and of the motors.
+    The motor quantities are computed from the forces F (N), (n, 6).
     """
 
     stated: bool
