@@ -100,7 +100,8 @@ def add_shapes(
     """Add the visuals and collisions of a body, in SDF and URDF."""
     for number, shape in enumerate(body.shapes, 1):
         for tag in ("visual", "collision"):
-            element = added(link, tag, name=f"{tag}_{number}")
+            # MuJoCo expects names that are unique in the whole URDF file.
+            element = added(link, tag, name=f"{tag}_{number}" if leaf is leaves else None)
             pose(element, shape.middle, shape.frame)
             geometry, length = added(element, "geometry"), shape.length or None
             leaf(geometry, "cylinder" if length else "sphere", radius=shape.radius, length=length)
