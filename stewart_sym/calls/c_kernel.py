@@ -16,7 +16,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot
-from .threads import in_parts
+from .threads import in_parts, parts_of
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -92,10 +92,14 @@ def results_of(
 
     ``shapes`` are the shapes of the results for one pose. For other arguments see ``run_batch``.
     """
-    found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
-    status = np.zeros(motion.shape, dtype=np.int32)
+    lead = motion.shape
+    found = {name: np.empty((*lead, *of), model.dtype) for name, of in shapes.items()}
+    status = np.zeros(lead, dtype=np.int32)
     arrays = [getattr(motion, name) for name in MOTION]
     run_batch(function, model, arrays, [*found.values()], status, given, apart, threads)
+    if np.count_nonzero(status):
+        for values in found.values():
+            values[status != OK] = np.nan
     return {**found, "status": status}
 
 
@@ -115,39 +119,50 @@ def run_batch(
     the arguments after the motion: arrays with a row for each pose, or arguments that all poses share. With
     ``apart``, the function takes the result arrays as separate arguments instead of a structure.
     """
-    count = status.size
-    inputs = [_rows(each, count) for each in motion]
-    outputs, codes = [_rows(each, count) for each in results], status.reshape(count)
-    others = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in given]
+    count, dtype = status.size, model.dtype
+    converts = not all(each is None or (each.dtype == dtype and each.flags.c_contiguous) for each in motion)
+    parts = parts_of(count, threads, converts)
+    inputs, outputs, others = motion, results, given
+    if len(parts) > 1:
+        inputs, outputs, others = (
+            [_rows(each, count) for each in arrays] for arrays in (motion, results, given)
+        )
+    constants, codes = address(model), status.reshape(count)
 
     def run(start: int, poses: int) -> None:
         part = slice(start, start + poses)
-        with np.errstate(over="ignore"):
-            rows = (each if each is None else each[part] for each in inputs)
-            arrays = [each if each is None else np.ascontiguousarray(each, model.dtype) for each in rows]
-        targets = [each[part] for each in outputs]
+
+        def own(arrays: Sequence[Any]) -> Sequence[Any]:
+            return arrays if poses == count else [_part(each, part) for each in arrays]
+
+        converted = own(inputs)
+        if converts:
+            with np.errstate(over="ignore"):
+                converted = [
+                    None if each is None else np.ascontiguousarray(each, dtype) for each in converted
+                ]
+        more = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in own(others)]
+        targets = own(outputs)
         function(
-            address(model),
+            constants,
             ctypes.c_size_t(poses),
-            pointers(arrays),
-            *(_argument(each, count, part) for each in others),
+            pointers(converted),
+            *(address(each) if isinstance(each, np.ndarray) else each for each in more),
             *(map(address, targets) if apart else [pointers(targets)]),
             address(codes[part]),
         )
 
-    in_parts(count, threads, run)
+    in_parts(parts, threads, run)
 
 
-def _argument(given: Any, count: int, part: slice) -> Any:
-    """Return the address of the rows of an array for some poses, or of an array that all poses share."""
-    if not isinstance(given, np.ndarray):
-        return given
-    return address(given if given.ndim == 1 else _rows(given, count)[part])
+def _rows(array: Any, count: int) -> Any:
+    """Return an array with one row for each pose; arguments that all poses share do not change."""
+    return array.reshape(count, -1) if isinstance(array, np.ndarray) and array.ndim > 1 else array
 
 
-def _rows(array: Array | None, count: int) -> Any:
-    """Return an array with one row for each pose."""
-    return None if array is None else array.reshape(count, array.size // max(count, 1))
+def _part(array: Any, part: slice) -> Any:
+    """Return the rows of some poses; arguments that all poses share do not change."""
+    return array[part] if isinstance(array, np.ndarray) and array.ndim > 1 else array
 
 
 class OnePose:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..backend.kernel import FORMULATIONS, MOTION, force_kernel_name
 from ..calls.c_kernel import OnePose, address, function, pointers, prepared_model, results_of, run_batch
-from ..calls.threads import in_parts
+from ..calls.threads import in_parts, parts_of
 from ..io.arguments import instance, option, real_array, shown
 from ..io.array_types import Frozen
 from ..io.error_policy import warn
@@ -239,7 +239,7 @@ class ForceKernel(Frozen):
             inputs = pointers(None if each is None else each[:, start:] for each in arrays)
             code(address(self.model), *sizes, inputs, address(F[:, start:]), address(status[start:]))
 
-        in_parts(status.size, threads, run)
+        in_parts(parts_of(status.size, threads), threads, run)
         return F, status
 
     def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:

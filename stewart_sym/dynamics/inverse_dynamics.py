@@ -325,15 +325,22 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
-    need_masses(robot)
     if robot.offsets is not None or backend == "reference":
-        return _VectorKernel(robot, formulation)
+        return _prepared_kernel(_VectorKernel, robot, formulation)
     if backend == "numpy":
-        return NumpyKernel(robot, formulation)
+        return _prepared_kernel(NumpyKernel, robot, formulation)
     found: DynamicsKernel = with_compiler(
-        lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
+        lambda: _prepared_kernel(CKernel, robot, formulation),
+        lambda: _prepared_kernel(NumpyKernel, robot, formulation),
     )
     return found
+
+
+@functools.lru_cache(64)
+def _prepared_kernel(kind: Callable[..., DynamicsKernel], robot: Robot, formulation: str) -> DynamicsKernel:
+    """Prepare a kernel for a robot, or return the one that an earlier call prepared."""
+    need_masses(robot)
+    return kind(robot, formulation)
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
