@@ -17,7 +17,6 @@ from .drives.effort import DriveLimitWarning as DriveLimitWarning
 from .drives.effort import drive_effort as drive_effort
 from .drives.effort import motor_forces as motor_forces
 from .dynamics.arrays import ArrayKernel as ArrayKernel
-from .dynamics.damped_least_squares import damped_least_squares as damped_least_squares
 from .dynamics.equations import equations_of_motion as equations_of_motion
 from .dynamics.equations import force_derivatives as force_derivatives
 from .dynamics.equations import forward_dynamics as forward_dynamics

@@ -3,7 +3,7 @@
 import ctypes
 import functools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,12 @@ def c_sources(name: str) -> dict[str, str]:
     stems = dict.fromkeys((name.replace("_motion", "_forces"), name))
     names = (*HEADERS, *(f"stewart_{stem}.{kind}" for stem in stems for kind in "hc"))
     return {file: generated_text(f"c/{file}") for file in names}
+
+
+@functools.lru_cache(64)
+def prepared(kind: Callable[..., Any], robot: Robot, *options: Any) -> Any:
+    """Create a kernel for a robot, or return the one that an earlier call created; robots never change."""
+    return kind(robot, *options)
 
 
 @functools.cache
@@ -112,43 +118,43 @@ def run_batch(
     given: Sequence[Any] = (),
     apart: bool = False,
     threads: int = 1,
+    stride: int | None = None,
 ) -> None:
     """Call a C function for many poses, in parts on threads, and write results and statuses.
 
     ``motion`` contains arrays in the order of ``MOTION``, which get the type of the constants. ``given`` are
     the arguments after the motion: arrays with a row for each pose, or arguments that all poses share. With
-    ``apart``, the function takes the result arrays as separate arguments instead of a structure.
+    ``apart``, the function takes the result arrays as separate arguments instead of a structure. With a
+    ``stride``, all arrays have the type and layout of C: 0 for rows, otherwise views of columns with this
+    distance in numbers.
     """
     count, dtype = status.size, model.dtype
-    converts = not all(each is None or (each.dtype == dtype and each.flags.c_contiguous) for each in motion)
-    parts = parts_of(count, threads, converts)
-    inputs, outputs, others = motion, results, given
+    ready = stride is not None or all(
+        each is None or (each.dtype == dtype and each.flags.c_contiguous) for each in motion
+    )
+    parts = parts_of(count, threads, converts=not ready)
+    arguments = [motion, results, given]
     if len(parts) > 1:
-        inputs, outputs, others = (
-            [_rows(each, count) for each in arrays] for arrays in (motion, results, given)
-        )
+        arguments = [[_rows(each, count) for each in arrays] for arrays in arguments]
     constants, codes = address(model), status.reshape(count)
+    strides = [ctypes.c_size_t(stride)] if stride else []
 
     def run(start: int, poses: int) -> None:
         part = slice(start, start + poses)
-
-        def own(arrays: Sequence[Any]) -> Sequence[Any]:
-            return arrays if poses == count else [_part(each, part) for each in arrays]
-
-        converted = own(inputs)
-        if converts:
+        inputs, outputs, others = arguments
+        if len(parts) > 1:
+            inputs, outputs, others = ([_part(each, part) for each in arrays] for arrays in arguments)
+        if not ready:
             with np.errstate(over="ignore"):
-                converted = [
-                    None if each is None else np.ascontiguousarray(each, dtype) for each in converted
-                ]
-        more = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in own(others)]
-        targets = own(outputs)
+                inputs = [each if each is None else np.ascontiguousarray(each, dtype) for each in inputs]
+        others = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in others]
         function(
             constants,
             ctypes.c_size_t(poses),
-            pointers(converted),
-            *(address(each) if isinstance(each, np.ndarray) else each for each in more),
-            *(map(address, targets) if apart else [pointers(targets)]),
+            *strides,
+            pointers(inputs),
+            *(address(each) if isinstance(each, np.ndarray) else each for each in others),
+            *(map(address, outputs) if apart else [pointers(outputs)]),
             address(codes[part]),
         )
 
@@ -163,6 +169,9 @@ def _rows(array: Any, count: int) -> Any:
 def _part(array: Any, part: slice) -> Any:
     """Return the rows of some poses; arguments that all poses share do not change."""
     return array[part] if isinstance(array, np.ndarray) and array.ndim > 1 else array
+
+
+_NOTHING = np.zeros(3)
 
 
 class OnePose:
@@ -190,12 +199,13 @@ class OnePose:
         # These references keep the arrays alive as long as this object.
         self._function, self._arrays = function, (model, self.numbers, *arrays)
         self._addresses = [address(array) for array in self._arrays]
+        self._inputs = [(name, getattr(self, name)) for name in MOTION]
 
     def load(self, motion: Motion) -> None:
         """Set the inputs to a motion of shape (); missing accelerations and loads are zero."""
-        for name in MOTION:
+        for name, own in self._inputs:
             value = getattr(motion, name)
-            getattr(self, name)[...] = 0.0 if value is None else value
+            own[...] = _NOTHING if value is None else value
 
     def solve(self) -> int:
         """Compute the results from the current numbers; return the status."""
@@ -223,15 +233,18 @@ def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDA
 
 def pointers(arrays: Iterable[Array | None]) -> Any:
     """Return the addresses of arrays as a C structure of pointers."""
-    found = [address(array) for array in arrays]
+    found = [array if array is None else _location(array) for array in arrays]
     return (ctypes.c_void_p * len(found))(*found)
 
 
 def address(array: NDArray[Any] | None) -> ctypes.c_void_p:
     """Return the address of an array, or NULL for None."""
-    if array is None:
-        return ctypes.c_void_p(None)
+    return ctypes.c_void_p(None if array is None else _location(array))
+
+
+def _location(array: NDArray[Any]) -> int:
+    """Return the address of an array as a number."""
     if array.flags.carray and array.size > 0:
         # This is much faster than the array interface, which is required only for read-only or empty arrays.
-        return ctypes.c_void_p(ctypes.addressof(ctypes.c_char.from_buffer(array)))  # type: ignore[arg-type]
-    return ctypes.c_void_p(array.__array_interface__["data"][0])
+        return ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    return int(array.__array_interface__["data"][0])

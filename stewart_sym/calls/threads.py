@@ -29,6 +29,8 @@ def parts_of(count: int, threads: int, converts: bool = False) -> list[tuple[int
     """
     most = max(1, count // MIN_POSES_PER_THREAD)
     threads = min(whole_number(threads, "threads", 1, "a whole number of at least 1"), most)
+    if threads == 1 and not converts:
+        return [(0, count)] if count else []
     pieces = 1 if threads == 1 else max(threads, min(4 * threads, most))
     poses = max(LANES, -(-count // (pieces * LANES)) * LANES)
     poses = min(poses, LARGEST_PART) if converts else poses

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..calls.c_kernel import CKernel
+from ..calls.c_kernel import CKernel, prepared
 from ..io.arguments import option
 from ..motion.motion import Motion
 from ..results import ON_FAULT, OnFault
@@ -107,7 +107,7 @@ def force_error_bounds(
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
     need_motion(robot, motion)
-    kernel = CKernel(robot, "exact", "_bounds", precision)
+    kernel = prepared(CKernel, robot, "exact", "_bounds", precision)
     found = ForceErrorBoundsResult(**kernel.run("forces_bounded", motion))
     report_faults(found.status, robot, motion, on_singular)
     return found

@@ -180,12 +180,13 @@ def _forces(poses: Poses, truth: Array) -> Iterator[Case]:
 
 
 def _columns(poses: Poses) -> Timed:
-    """Time ``ForceKernel.forces_soa``, for poses stored in columns."""
-    prepared = ForceKernel(poses.robot, NAME)
-    arrays: list[Any] = [_in_columns(array.reshape(len(poses), -1).T) for array in poses.arrays]
-    F, status = _in_columns(np.zeros((6, len(poses)))), np.zeros(len(poses), dtype=np.int32)
-    run = over(lambda: prepared.forces_soa(*arrays, out=(F, status)))
-    return Task(run, len(poses)), lambda: F.T
+    """Time ``ForceKernel.forces`` for poses stored in columns."""
+    prepared, count = ForceKernel(poses.robot, NAME), len(poses)
+    R, *others = (_in_columns(array.reshape(count, -1).T) for array in poses.arrays)
+    arrays = [np.moveaxis(R.reshape(3, 3, count, copy=False), -1, 0), *(each.T for each in others)]
+    F, status = _in_columns(np.zeros((6, count))), np.zeros(count, dtype=np.int32)
+    run = over(lambda: prepared.forces(arrays, out=(F.T, status)))
+    return Task(run, count), lambda: F.T
 
 
 def _in_columns(array: Array) -> Array:
