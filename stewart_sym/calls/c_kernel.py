@@ -16,7 +16,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot
-from .threads import in_parts, parts_of
+from .threads import in_parts
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -132,18 +132,21 @@ def run_batch(
     ready = stride is not None or all(
         each is None or (each.dtype == dtype and each.flags.c_contiguous) for each in motion
     )
-    parts = parts_of(count, threads, converts=not ready)
-    arguments = [motion, results, given]
-    if len(parts) > 1:
-        arguments = [[_rows(each, count) for each in arrays] for arrays in arguments]
-    constants, codes = address(model), status.reshape(count)
-    strides = [ctypes.c_size_t(stride)] if stride else []
+    if status.ndim > 1:
+        motion, results = ([_rows(each, count) for each in arrays] for arrays in (motion, results))
+        given, status = (
+            [_rows(each, count) if _has_rows(each) else each for each in given],
+            status.reshape(count),
+        )
+    constants, strides = address(model), [ctypes.c_size_t(stride)] if stride else []
 
     def run(start: int, poses: int) -> None:
-        part = slice(start, start + poses)
-        inputs, outputs, others = arguments
-        if len(parts) > 1:
-            inputs, outputs, others = ([_part(each, part) for each in arrays] for arrays in arguments)
+        inputs, outputs, others, codes = motion, results, given, status
+        if poses < count:
+            part = slice(start, start + poses)
+            inputs = [each if each is None else each[part] for each in motion]
+            outputs, codes = [each[part] for each in results], status[part]
+            others = [each[part] if _has_rows(each) else each for each in given]
         if not ready:
             with np.errstate(over="ignore"):
                 inputs = [each if each is None else np.ascontiguousarray(each, dtype) for each in inputs]
@@ -155,20 +158,20 @@ def run_batch(
             pointers(inputs),
             *(address(each) if isinstance(each, np.ndarray) else each for each in others),
             *(map(address, outputs) if apart else [pointers(outputs)]),
-            address(codes[part]),
+            address(codes),
         )
 
-    in_parts(parts, threads, run)
+    in_parts(count, threads, run, bounded=not ready)
 
 
-def _rows(array: Any, count: int) -> Any:
-    """Return an array with one row for each pose; arguments that all poses share do not change."""
-    return array.reshape(count, -1) if isinstance(array, np.ndarray) and array.ndim > 1 else array
+def _rows(array: Array | None, count: int) -> Any:
+    """Return an array with one row for each pose."""
+    return None if array is None else array.reshape(count, array.size // max(count, 1))
 
 
-def _part(array: Any, part: slice) -> Any:
-    """Return the rows of some poses; arguments that all poses share do not change."""
-    return array[part] if isinstance(array, np.ndarray) and array.ndim > 1 else array
+def _has_rows(argument: Any) -> bool:
+    """Return True for an array with a row for each pose, in contrast to arguments that all poses share."""
+    return isinstance(argument, np.ndarray) and argument.ndim > 1
 
 
 _NOTHING = np.zeros(3)

@@ -1,8 +1,7 @@
 """Parts of a batch of poses on threads. A kernel gives the same bits for any parts."""
 
-import itertools
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 
@@ -22,34 +21,25 @@ CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os
 """Number of cores that this process may use."""
 
 
-def parts_of(count: int, threads: int, converts: bool = False) -> list[tuple[int, int]]:
-    """Return the first pose and the number of poses of each part of a batch; ``converts`` bounds the parts.
+def in_parts(count: int, threads: int, run: Callable[[int, int], None], bounded: bool = False) -> None:
+    """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses.
 
-    Each thread gets several parts, so that a slow core delays the result little.
+    With ``bounded``, parts have at most LARGEST_PART poses. Each thread gets several parts, so that a slow
+    core delays the result little.
     """
     most = max(1, count // MIN_POSES_PER_THREAD)
     threads = min(whole_number(threads, "threads", 1, "a whole number of at least 1"), most)
-    if threads == 1 and not converts:
-        return [(0, count)] if count else []
     pieces = 1 if threads == 1 else max(threads, min(4 * threads, most))
     poses = max(LANES, -(-count // (pieces * LANES)) * LANES)
-    poses = min(poses, LARGEST_PART) if converts else poses
-    return [(start, min(poses, count - start)) for start in range(0, count, poses)]
-
-
-def in_parts(parts: Sequence[tuple[int, int]], threads: int, run: Callable[[int, int], None]) -> None:
-    """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""
-    others = min(threads, len(parts), CORES) - 1
-    if others < 1:
-        for part in parts:
-            run(*part)
-        return
-    next_parts = itertools.count()
+    poses = min(poses, LARGEST_PART) if bounded else poses
+    starts = range(0, count, poses)
+    remaining = iter(starts)
 
     def work() -> None:
-        while (part := next(next_parts)) < len(parts):
-            run(*parts[part])
+        for start in remaining:
+            run(start, min(poses, count - start))
 
+    others = min(threads, len(starts), CORES) - 1
     waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
     work()
     for other in waiting:
