@@ -33,8 +33,8 @@ _FLOOR = 1e-14
 _SHORT = 1e-9
 # Minima with a smaller relative depth are rounding errors.
 _SHALLOW = 1e-12
-# Accuracy of the time of a minimum relative to its interval: nearby values differ by its square.
-_LOCATED = 1e-8
+# Each grid divides the interval of a minimum by 8, at last to 1e-8: nearby values differ by its square.
+_GRID, _ZOOMS = 17, 9
 _INSTANTS = 512
 _CHUNK = 1 << 13
 _DEGREE = 20
@@ -321,7 +321,6 @@ class _Search:
 
     def approaches(self) -> tuple[SingularityApproach, ...]:
         """Return the local minima of the smallest singular value that are not singular."""
-        from scipy.optimize import minimize_scalar
         from scipy.signal import find_peaks
 
         times = np.array([found.time for found in self.crossings])
@@ -329,20 +328,18 @@ class _Search:
         values = np.concatenate([self.samples.smallest, np.zeros(len(times))])[order]
         depths = -np.log(np.clip(values, np.finfo(np.float64).tiny, np.finfo(np.float64).max))
         _, peaks = find_peaks(depths, prominence=_SHALLOW, plateau_size=1)
-        found = []
+        intervals = []
         for left, right in zip(peaks["left_edges"], peaks["right_edges"], strict=True):
-            low, high = float(points[left - 1]), float(points[right + 1])
+            low, high = points[left - 1], points[right + 1]
             crossed = np.any((times > low) & (times < high))
             inside = any(start <= points[left] <= end for start, end in self.spans)
             if not crossed and not inside:
-                minimum = minimize_scalar(
-                    lambda time: self._look(np.array([time])).smallest[0],
-                    bounds=(low, high),
-                    method="bounded",
-                    options={"xatol": _LOCATED * (high - low)},
-                )
-                found.append(SingularityApproach(float(minimum.x), self.at(float(minimum.x))))
-        return tuple(found)
+                intervals.append((low, high))
+        found, _ = _minima(
+            lambda grid: self._look(grid.ravel()).smallest.reshape(grid.shape),
+            *np.array(intervals).reshape(-1, 2).T,
+        )
+        return tuple(SingularityApproach(time, self.at(time)) for time in found.tolist())
 
     def _inner_points(self, at_times: _Samples) -> Array:
         """Return points in the intervals in which the smallest singular value may vanish or turn."""
@@ -497,23 +494,31 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
 def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
     """Return the time (s) and the value of the minimum of each column of a function, shape (m,) each."""
-    from scipy.optimize import minimize_scalar
-
     points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
     sampled, last = _in_chunks(function, points), len(points) - 1
-    index = np.argmin(sampled, axis=0)
+    index, columns = np.argmin(sampled, axis=0), np.arange(sampled.shape[1])
     time, value = points[index], sampled.min(axis=0)
-    for column, i in enumerate(index):
-        low, high = points[max(i - 1, 0)], points[min(i + 1, last)]
-        minimum = minimize_scalar(
-            lambda time, column=column: function(np.array([time]))[0, column],
-            bounds=(low, high),
-            method="bounded",
-            options={"xatol": _LOCATED * (high - low)},
-        )
-        if minimum.fun < value[column] - _SHALLOW * abs(value[column]):
-            time[column], value[column] = minimum.x, minimum.fun
-    return time, value
+
+    def own(grid: Array) -> Array:
+        return function(grid.ravel()).reshape(*grid.shape, -1)[:, columns, columns]
+
+    refined, least = _minima(own, points[np.maximum(index - 1, 0)], points[np.minimum(index + 1, last)])
+    better = least < value - _SHALLOW * np.abs(value)
+    return np.where(better, refined, time), np.where(better, least, value)
+
+
+def _minima(function: Callable[[Array], Array], low: Array, high: Array) -> tuple[Array, Array]:
+    """Return times (s) and values of the minima between times (m,) of a function of times (n, m).
+
+    Each call of the function evaluates a grid for all minima, because single times take much longer.
+    """
+    columns = np.arange(len(low))
+    for _ in range(_ZOOMS):
+        grid = np.linspace(low, high, _GRID)
+        values = function(grid)
+        least = np.argmin(values, axis=0)
+        low, high = (grid[np.clip(least + step, 0, _GRID - 1), columns] for step in (-1, 1))
+    return grid[least, columns], values[least, columns]
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:
