@@ -22,10 +22,10 @@ from .dynamics.equations import force_derivatives as force_derivatives
 from .dynamics.equations import forward_dynamics as forward_dynamics
 from .dynamics.equations import joint_space_inertia as joint_space_inertia
 from .dynamics.equations import linearize as linearize
-from .dynamics.force_error_bounds import ForceErrorBoundsResult as ForceErrorBoundsResult
-from .dynamics.force_error_bounds import force_error_bounds as force_error_bounds
 from .dynamics.force_noise import force_std as force_std
+from .dynamics.forces import ForceErrorBoundsResult as ForceErrorBoundsResult
 from .dynamics.forces import ForceKernel as ForceKernel
+from .dynamics.forces import force_error_bounds as force_error_bounds
 from .dynamics.inverse_dynamics import inverse_dynamics as inverse_dynamics
 from .dynamics.inverse_dynamics import joint_reactions as joint_reactions
 from .dynamics.inverse_dynamics import leg_dynamics_fraction as leg_dynamics_fraction

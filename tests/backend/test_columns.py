@@ -14,7 +14,7 @@ from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.calls import threads as on_threads
-from stewart_sym.calls.c_kernel import address, pointers
+from stewart_sym.calls.c_kernel import address, function, pointers
 from stewart_sym.dynamics.forces import ForceKernel, Precision
 from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.motion.motion import Motion
@@ -191,7 +191,7 @@ def test_c_rejects_null_and_strides_below_the_count() -> None:
     arrays, F = columns(motion, np.float64), np.zeros((6, 3))
 
     def code(count: int, stride: int, given: list[Any]) -> int:
-        call = kernel.c_function("forces_columns")
+        call = function(kernel.name, "forces_columns", "_forces")
         sizes = ctypes.c_size_t(count), ctypes.c_size_t(stride)
         return int(call(address(kernel.model), *sizes, pointers(given), address(F), None))
 
