@@ -10,6 +10,7 @@ from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
 from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
+from ..motion.rotation import vector_from_rotation
 from ..motion.trajectory import Trajectory
 from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
@@ -53,12 +54,20 @@ def _near_singular_part(robot: Robot, log: Trajectory) -> slice:
     count, time, motion = len(log.time), log.time, log.given_motion
     if motion is not None:
         speed, turning = (np.linalg.norm(rate, axis=-1) for rate in (motion.v, motion.omega))
+        shift = np.linalg.norm(np.diff(motion.t, axis=0), axis=-1)
+        turn = np.linalg.norm(vector_from_rotation(motion.R[1:] @ motion.R[:-1].swapaxes(-1, -2)), axis=-1)
     else:
         assert log.coordinates is not None
-        turning = np.abs(log.coordinates[1, :, 3:]).sum(axis=-1)
-        speed = np.linalg.norm(log.coordinates[1, :, :3], axis=-1) + np.linalg.norm(robot.tool) * turning
+        tool, (places, rates, _) = np.linalg.norm(robot.tool), log.coordinates
+        turning, turn = np.abs(rates[:, 3:]).sum(axis=-1), np.abs(np.diff(places[:, 3:], axis=0)).sum(axis=-1)
+        speed = np.linalg.norm(rates[:, :3], axis=-1) + tool * turning
+        shift = np.linalg.norm(np.diff(places[:, :3], axis=0), axis=-1) + tool * turn
     starts = np.arange(0, count - 1, _BLOCK_ROWS)
-    paths = (np.maximum(rate[1:], rate[:-1]) * np.diff(time) for rate in (speed, turning))
+    # The steps count as well, because rows may be at rest.
+    paths = (
+        np.maximum(rate[1:], rate[:-1]) * np.diff(time) + step
+        for rate, step in ((speed, shift), (turning, turn))
+    )
     moved, turned = (np.add.reduceat(path, starts) for path in paths)
     middles = log.at(np.minimum(starts + _BLOCK_ROWS // 2, count - 1))
     arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
