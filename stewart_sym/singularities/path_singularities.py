@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -14,13 +15,19 @@ from ..backend.kernel import FORMULATIONS
 from ..calls.numpy_kernel import NumpyKernel
 from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Indices
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse_kinematics import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
+from ..kinematics.inverse_kinematics import (
+    ROUNDING,
+    joint_sines,
+    leg_vectors,
+    wrench_matrix,
+    wrench_matrix_rate,
+)
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..robot.robot import Robot
+from ..motion.rotation import cross, vector_from_rotation
+from ..robot.robot import LEGS, Robot
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
@@ -37,6 +44,8 @@ _SHALLOW = 1e-12
 _GRID, _ZOOMS = 17, 9
 _INSTANTS = 512
 _CHUNK = 1 << 13
+# Number of samples whose distance from singular poses is bounded at once.
+_BLOCK = 16
 _DEGREE = 20
 # Relative size of the last Chebyshev coefficients at which a piece is resolved.
 _RESOLVED = 1e-11
@@ -169,8 +178,12 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     >>> [(round(item.time, 4), item.sign_before, item.sign_after) for item in crossings]
     [(3.6705, -1, 1)]
     """
+    times = _checked(robot, path, time)
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, time)).crossings
+        parts = [times[i : i + _CHUNK + 1] for i in range(0, len(times) - 1, _CHUNK)]
+        steps = np.concatenate([step_bounds(path(part), part) for part in parts], axis=-1)
+        near = times[near_singular(robot, steps, lambda samples: path(times[samples]))]
+        return _Search(robot, path, near).crossings if len(near) else ()
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
@@ -519,6 +532,37 @@ def _minima(function: Callable[[Array], Array], low: Array, high: Array) -> tupl
         least = np.argmin(values, axis=0)
         low, high = (grid[np.clip(least + step, 0, _GRID - 1), columns] for step in (-1, 1))
     return grid[least, columns], values[least, columns]
+
+
+def step_bounds(motion: Motion, time: Array) -> Array:
+    """Return bounds of the translation (m) and the rotation (rad) between n samples of a path, (2, n - 1)."""
+    speeds = np.linalg.norm([motion.v, motion.omega], axis=-1)
+    turns = vector_from_rotation(motion.R[1:] @ np.swapaxes(motion.R[:-1], -1, -2))
+    # The distances count as well, because samples may be at rest.
+    chords = np.linalg.norm([np.diff(motion.t, axis=0), turns], axis=-1)
+    return np.asarray(np.maximum(speeds[:, 1:], speeds[:, :-1]) * np.diff(time) + chords)
+
+
+def near_singular(robot: Robot, steps: Array, at: Callable[[Indices], Motion]) -> slice:
+    """Return the samples among which all singular poses of a path are.
+
+    The smallest singular value of H changes by at most the norm of the change of H, which the path length
+    from the middle of a block of samples bounds. ``steps`` are the bounds of ``step_bounds``, and ``at``
+    returns the motion at some samples.
+    """
+    count = steps.shape[1] + 1
+    starts = np.arange(0, count - 1, _BLOCK)
+    moved, turned = np.add.reduceat(steps, starts, axis=-1)
+    middles = at(np.minimum(starts + _BLOCK // 2, count - 1))
+    arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
+    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
+    tips = moved + arm * turned
+    with np.errstate(divide="ignore"):
+        direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
+    change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
+    H = moments_over(wrench_matrix(robot, middles), size)
+    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
+    return slice(starts[near[0]], starts[near[-1]] + _BLOCK + 1) if near.size else slice(0)
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:
