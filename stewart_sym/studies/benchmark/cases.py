@@ -183,7 +183,7 @@ def _columns(poses: Poses) -> Timed:
     """Time ``ForceKernel.forces`` for poses stored in columns."""
     prepared, count = ForceKernel(poses.robot, NAME), len(poses)
     R, *others = (_in_columns(array.reshape(count, -1).T) for array in poses.arrays)
-    arrays = [np.moveaxis(R.reshape(3, 3, count, copy=False), -1, 0), *(each.T for each in others)]
+    arrays = [np.moveaxis(R.reshape(3, 3, count), -1, 0), *(each.T for each in others)]
     F, status = _in_columns(np.zeros((6, count))), np.zeros(count, dtype=np.int32)
     run = over(lambda: prepared.forces(arrays, out=(F.T, status)))
     return Task(run, count), lambda: F.T
