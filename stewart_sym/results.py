@@ -26,9 +26,7 @@ STATUS_TEXT = dict(STATUS.values()) | {
 
 OnFault = Literal["raise", "warn", "nan"]
 ON_FAULT = ("raise", "warn", "nan")
-OnSingular = Literal["raise", "warn", "nan", "damped"]
-ON_SINGULAR = (*ON_FAULT, "damped")
-"""Treatments of unsolvable poses for solves of H x = c; "damped" warns of poses without a solution."""
+"""Treatments of unsolvable poses."""
 
 Index = tuple[int, ...]
 
@@ -38,7 +36,7 @@ class SingularPoseWarning(UserWarning):
 
 
 def report_faults(status: Codes, name: str, reason: Callable[[Index], str], choice: str) -> None:
-    """Raise ValueError or warn if a status is not 0, as ``choice`` of ON_SINGULAR specifies.
+    """Raise ValueError or warn if a status is not 0, as ``choice`` of ON_FAULT specifies.
 
     ``name`` is the argument with the pose, and ``reason`` returns the reason for the pose at an index.
     """
@@ -81,9 +79,6 @@ class InverseDynamicsResult:
         Wrench (N and N m) that the axial forces must balance, base frame, (36).
     status : ndarray of int, shape (...)
         Status of each pose: 0 if it was solved, otherwise a code of ``STATUS_TEXT``.
-    wrench_error : ndarray, shape (..., 6), optional
-        Residual c - H x (N and N m): wrench of F minus the wrench that the motion requires. 0 if H x = c was
-        solved, NaN if the pose has no forces; None without damping.
     """
 
     F: Array
@@ -93,7 +88,6 @@ class InverseDynamicsResult:
     H: Array
     c: Array
     status: Codes
-    wrench_error: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,18 +247,3 @@ class Accelerations(NamedTuple):
 
     a: Array
     alpha: Array
-
-
-class DampedLeastSquaresResult(NamedTuple):
-    """Axial forces and residual of a damped least-squares solution, as a named tuple.
-
-    Attributes
-    ----------
-    x : ndarray, shape (..., 6)
-        Axial forces (N).
-    wrench_error : ndarray, shape (..., 6)
-        Residual c - H x (N and N m).
-    """
-
-    x: Array
-    wrench_error: Array

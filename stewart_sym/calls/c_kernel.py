@@ -3,7 +3,7 @@
 import ctypes
 import functools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,12 @@ def c_sources(name: str) -> dict[str, str]:
     stems = dict.fromkeys((name.replace("_motion", "_forces"), name))
     names = (*HEADERS, *(f"stewart_{stem}.{kind}" for stem in stems for kind in "hc"))
     return {file: generated_text(f"c/{file}") for file in names}
+
+
+@functools.lru_cache(64)
+def prepared(kind: Callable[..., Any], robot: Robot, *options: Any) -> Any:
+    """Create a kernel for a robot, or return the one that an earlier call created; robots never change."""
+    return kind(robot, *options)
 
 
 @functools.cache
@@ -92,10 +98,14 @@ def results_of(
 
     ``shapes`` are the shapes of the results for one pose. For other arguments see ``run_batch``.
     """
-    found = {name: np.full((*motion.shape, *of), np.nan, dtype=model.dtype) for name, of in shapes.items()}
-    status = np.zeros(motion.shape, dtype=np.int32)
+    lead = motion.shape
+    found = {name: np.empty((*lead, *of), model.dtype) for name, of in shapes.items()}
+    status = np.zeros(lead, dtype=np.int32)
     arrays = [getattr(motion, name) for name in MOTION]
     run_batch(function, model, arrays, [*found.values()], status, given, apart, threads)
+    if np.count_nonzero(status):
+        for values in found.values():
+            values[status != OK] = np.nan
     return {**found, "status": status}
 
 
@@ -108,46 +118,63 @@ def run_batch(
     given: Sequence[Any] = (),
     apart: bool = False,
     threads: int = 1,
+    stride: int | None = None,
 ) -> None:
     """Call a C function for many poses, in parts on threads, and write results and statuses.
 
     ``motion`` contains arrays in the order of ``MOTION``, which get the type of the constants. ``given`` are
     the arguments after the motion: arrays with a row for each pose, or arguments that all poses share. With
-    ``apart``, the function takes the result arrays as separate arguments instead of a structure.
+    ``apart``, the function takes the result arrays as separate arguments instead of a structure. With a
+    ``stride``, all arrays have the type and layout of C: 0 for rows, otherwise views of columns with this
+    distance in numbers.
     """
-    count = status.size
-    inputs = [_rows(each, count) for each in motion]
-    outputs, codes = [_rows(each, count) for each in results], status.reshape(count)
-    others = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in given]
+    count, dtype = status.size, model.dtype
+    ready = stride is not None or all(
+        each is None or (each.dtype == dtype and each.flags.c_contiguous) for each in motion
+    )
+    if status.ndim > 1:
+        motion, results = ([_rows(each, count) for each in arrays] for arrays in (motion, results))
+        given, status = (
+            [_rows(each, count) if _has_rows(each) else each for each in given],
+            status.reshape(count),
+        )
+    constants, strides = address(model), [ctypes.c_size_t(stride)] if stride else []
 
     def run(start: int, poses: int) -> None:
-        part = slice(start, start + poses)
-        with np.errstate(over="ignore"):
-            rows = (each if each is None else each[part] for each in inputs)
-            arrays = [each if each is None else np.ascontiguousarray(each, model.dtype) for each in rows]
-        targets = [each[part] for each in outputs]
+        inputs, outputs, others, codes = motion, results, given, status
+        if poses < count:
+            part = slice(start, start + poses)
+            inputs = [each if each is None else each[part] for each in motion]
+            outputs, codes = [each[part] for each in results], status[part]
+            others = [each[part] if _has_rows(each) else each for each in given]
+        if not ready:
+            with np.errstate(over="ignore"):
+                inputs = [each if each is None else np.ascontiguousarray(each, dtype) for each in inputs]
+        others = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in others]
         function(
-            address(model),
+            constants,
             ctypes.c_size_t(poses),
-            pointers(arrays),
-            *(_argument(each, count, part) for each in others),
-            *(map(address, targets) if apart else [pointers(targets)]),
-            address(codes[part]),
+            *strides,
+            pointers(inputs),
+            *(address(each) if isinstance(each, np.ndarray) else each for each in others),
+            *(map(address, outputs) if apart else [pointers(outputs)]),
+            address(codes),
         )
 
-    in_parts(count, threads, run)
-
-
-def _argument(given: Any, count: int, part: slice) -> Any:
-    """Return the address of the rows of an array for some poses, or of an array that all poses share."""
-    if not isinstance(given, np.ndarray):
-        return given
-    return address(given if given.ndim == 1 else _rows(given, count)[part])
+    in_parts(count, threads, run, bounded=not ready)
 
 
 def _rows(array: Array | None, count: int) -> Any:
     """Return an array with one row for each pose."""
     return None if array is None else array.reshape(count, array.size // max(count, 1))
+
+
+def _has_rows(argument: Any) -> bool:
+    """Return True for an array with a row for each pose, in contrast to arguments that all poses share."""
+    return isinstance(argument, np.ndarray) and argument.ndim > 1
+
+
+_NOTHING = np.zeros(3)
 
 
 class OnePose:
@@ -175,12 +202,13 @@ class OnePose:
         # These references keep the arrays alive as long as this object.
         self._function, self._arrays = function, (model, self.numbers, *arrays)
         self._addresses = [address(array) for array in self._arrays]
+        self._inputs = [(name, getattr(self, name)) for name in MOTION]
 
     def load(self, motion: Motion) -> None:
         """Set the inputs to a motion of shape (); missing accelerations and loads are zero."""
-        for name in MOTION:
+        for name, own in self._inputs:
             value = getattr(motion, name)
-            getattr(self, name)[...] = 0.0 if value is None else value
+            own[...] = _NOTHING if value is None else value
 
     def solve(self) -> int:
         """Compute the results from the current numbers; return the status."""
@@ -208,15 +236,18 @@ def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDA
 
 def pointers(arrays: Iterable[Array | None]) -> Any:
     """Return the addresses of arrays as a C structure of pointers."""
-    found = [address(array) for array in arrays]
+    found = [array if array is None else _location(array) for array in arrays]
     return (ctypes.c_void_p * len(found))(*found)
 
 
 def address(array: NDArray[Any] | None) -> ctypes.c_void_p:
     """Return the address of an array, or NULL for None."""
-    if array is None:
-        return ctypes.c_void_p(None)
+    return ctypes.c_void_p(None if array is None else _location(array))
+
+
+def _location(array: NDArray[Any]) -> int:
+    """Return the address of an array as a number."""
     if array.flags.carray and array.size > 0:
         # This is much faster than the array interface, which is required only for read-only or empty arrays.
-        return ctypes.c_void_p(ctypes.addressof(ctypes.c_char.from_buffer(array)))  # type: ignore[arg-type]
-    return ctypes.c_void_p(array.__array_interface__["data"][0])
+        return ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    return int(array.__array_interface__["data"][0])

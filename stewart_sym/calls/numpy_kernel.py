@@ -40,11 +40,19 @@ class NumpyKernel:
     def terms(self, motion: Motion) -> dict[str, Any]:
         """Compute terms and status of every pose; D, K, H, and c are finite if H is singular."""
 
-        def run(on: Any, part: Any, _: slice) -> Any:
-            found = self._module.inverse_dynamics(on, self._robot, part)
+        def solved(on: Any, part: Any, _: slice) -> Any:
+            found = self._module.solved(on, self._robot, part)
             return {**vars(found.terms), **vars(found)}
 
-        return on_arrays(run, motion, OUTPUTS["inverse_dynamics"])
+        def checked(on: Any, part: Any, _: slice) -> Any:
+            return vars(self._module.inverse_dynamics(on, self._robot, part))
+
+        found = on_arrays(solved, motion, {**OUTPUTS["inverse_dynamics"], "suspect": ()})
+        suspect = found.pop("suspect") == 1.0
+        if suspect.any():
+            # The check whether H is singular takes longer than all terms, so it is made only for these poses.
+            found["status"][suspect] = on_arrays(checked, motion[suspect], {})["status"]
+        return found
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
         """Compute joint reactions by name for axial forces ``x`` (N), (..., 6); ``bearing`` (m) is (6,)."""

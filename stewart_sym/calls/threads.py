@@ -1,6 +1,5 @@
 """Parts of a batch of poses on threads. A kernel gives the same bits for any parts."""
 
-import itertools
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -16,40 +15,35 @@ Waking a thread takes 0.12 ms (2 virtual cores), as long as 1,200 poses.
 """
 
 LARGEST_PART = 32_768
-"""Number of poses per call of C, which bounds the copies of arrays of another type or layout."""
+"""Number of poses per call of C if arrays of another type or layout are copied."""
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """Number of cores that this process may use."""
 
 
-def in_parts(count: int, threads: int, run: Callable[[int, int], None]) -> None:
-    """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses."""
-    threads = min(
-        whole_number(threads, "threads", 1, "a whole number of at least 1"),
-        max(1, count // MIN_POSES_PER_THREAD),
-    )
-    parts = _parts(count, threads)
-    next_parts = itertools.count()
+def in_parts(count: int, threads: int, run: Callable[[int, int], None], bounded: bool = False) -> None:
+    """Run the parts of a batch on threads; ``run`` takes the first pose and the number of poses.
+
+    With ``bounded``, parts have at most LARGEST_PART poses. Each thread gets several parts, so that a slow
+    core delays the result little.
+    """
+    most = max(1, count // MIN_POSES_PER_THREAD)
+    threads = min(whole_number(threads, "threads", 1, "a whole number of at least 1"), most)
+    pieces = 1 if threads == 1 else max(threads, min(4 * threads, most))
+    poses = max(LANES, -(-count // (pieces * LANES)) * LANES)
+    poses = min(poses, LARGEST_PART) if bounded else poses
+    starts = range(0, count, poses)
+    remaining = iter(starts)
 
     def work() -> None:
-        while (part := next(next_parts)) < len(parts):
-            run(*parts[part])
+        for start in remaining:
+            run(start, min(poses, count - start))
 
-    others = min(threads, len(parts), CORES) - 1
+    others = min(threads, len(starts), CORES) - 1
     waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
     work()
     for other in waiting:
         other.result()
-
-
-def _parts(count: int, threads: int) -> list[tuple[int, int]]:
-    """Return the first pose and the number of poses of each part of a batch.
-
-    Each thread gets several parts, so that a slow core delays the result little.
-    """
-    pieces = 1 if threads == 1 else max(threads, min(4 * threads, count // MIN_POSES_PER_THREAD))
-    poses = min(LARGEST_PART, max(LANES, -(-count // (pieces * LANES)) * LANES))
-    return [(start, min(poses, count - start)) for start in range(0, count, poses)]
 
 
 @cache

@@ -1,9 +1,9 @@
 """The command ``stewart-sym`` with its subcommands.
 
-The command reads arguments, calls the library, prints results, and converts errors into one line and an exit
-code: 0 success, 1 negative result of ``derive --check``, ``identify``, ``plan``, or ``stability``, 2 error,
-128 + n for signal n (130 for Ctrl-C, 143 for SIGTERM, 129 for SIGHUP). A subcommand imports SymPy, SciPy, and
-Matplotlib only if it uses them.
+The command reads arguments, calls the library, prints results, and converts errors into one line. The exit
+codes are 0 for success, 1 for a negative result of ``derive --check``, ``identify``, ``plan``, or
+``stability``, and 2 for an error. Signal n gives 128 + n: 130 for Ctrl-C, and 141 for a closed pipe. A
+subcommand imports SymPy, SciPy, and Matplotlib only if it uses them.
 """
 
 import argparse
@@ -27,6 +27,9 @@ GROUPS = {
     "studies": ("reproduce", "chart", "stability", "benchmark"),
 }
 """Subcommands by group, in the order of the help."""
+
+CLOSED_PIPE = 141
+"""Exit code if the reader of standard output has ended, 128 + 13 for SIGPIPE."""
 
 SUBCOMMANDS = {
     name: (title.replace("computation", "machine"), name.replace("-", "_").replace("import", "import_model"))
@@ -60,13 +63,15 @@ def main(argv: Sequence[str] | None = None) -> int:
         text, file = one_line(error), getattr(arguments, "robot", None)
         if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
             text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
-        if not isinstance(error, BrokenPipeError):
+            text = text.replace("this function", arguments.subcommand)
+        closed = isinstance(error, BrokenPipeError)
+        if not closed:
             print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
             give_up_stdout()
-        return 2
+        return CLOSED_PIPE if closed else 2
 
 
 def subcommand_parser(name: str) -> argparse.ArgumentParser:

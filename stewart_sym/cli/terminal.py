@@ -89,11 +89,11 @@ def one_line(error: object) -> str:
 
 
 def as_options(text: str) -> str:
-    """Replace names of parameters in the remedy of a message by options, such as ``--length-unit mm``."""
+    """Replace parameters by options: those with values, as in ``length_unit=mm``, and all in the remedy."""
+    text = re.sub(rf"\b({_NAMED})=(?=\w)", r"--\1 ", text)
     finding, mark, remedy = text.partition("; ")
-    remedy = re.sub(rf"\b({_NAMED})=(?=\w)", r"\1 ", remedy)
     remedy = re.sub(rf"(?<!-)\b({_NAMED}|columns (?=\w+=))\b", r"--\1", remedy)
-    return finding + mark + re.sub(r"--\w+", lambda option: option[0].replace("_", "-"), remedy)
+    return re.sub(rf"--({_NAMED})\b", lambda found: found[0].replace("_", "-"), finding + mark + remedy)
 
 
 def give_up_stdout() -> None:

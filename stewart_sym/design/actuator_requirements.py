@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..drives.limit_status import SURE, sides
-from ..drives.limits import trapezoids
+from ..drives.limits import times_of, trapezoids
 from ..drives.motor_states import motor_states
 from ..drives.noise import all_deviations, at_replaced
 from ..dynamics.inverse_dynamics import Formulation, inverse_dynamics, need_motion
@@ -261,17 +261,10 @@ def _checked(robot: Robot, motions: object) -> list[_Given]:
             log, pair = pair, (pair.time, pair.motion)
         if not isinstance(pair, tuple | list) or len(pair) != 2:
             raise ValueError(f"motions[{i}]: expected a pair (time, motion), got {type(pair).__name__}")
-        time, motion = real_array(pair[0], f"motions[{i}]: time"), pair[1]
+        time, motion = pair
         instance(motion, Motion, f"motions[{i}]")
         need_motion(robot, motion)
-        if motion.shape != time.shape or time.ndim != 1 or not time.size:
-            raise ValueError(
-                f"motions[{i}]: expected a motion of the shape of its time, (n,) with n >= 1, got "
-                f"{motion.shape} and {time.shape}"
-            )
-        if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
-            raise ValueError(f"motions[{i}]: time: expected finite, increasing times")
-        found.append(_Given(time, motion, log))
+        found.append(_Given(times_of(motion, time, f"motions[{i}]: time"), motion, log))
     if not found:
         raise ValueError("motions: expected at least one, got none")
     return found
@@ -323,12 +316,12 @@ def _noise(
     """Return the standard deviations of a motion by name, and a flag for samples of replaced rows."""
     trajectory = Trajectory(given.time, given.motion, "", ()) if given.log is None else given.log
     found = all_deviations(robot, trajectory, formulation, neutral=neutral)
-    sd = {_NAMES.get(name, name): values for name, values in found.items() if name != "electrical_power"}
+    sd = {NAMES.get(name, name): values for name, values in found.items() if name != "electrical_power"}
     return sd, at_replaced(trajectory, given.time)
 
 
-_NAMES = {"base": "base_angle", "platform": "platform_angle", "leg_power": "power"}
-_NAMES |= {"speed": "motor_speed", "power": "motor_power"}
+NAMES = {"base": "base_angle", "platform": "platform_angle", "leg_power": "power"}
+NAMES |= {"speed": "motor_speed", "power": "motor_power"}
 """Names of standard deviations that differ from the names of ``ActuatorHistory``."""
 
 _OVER_TIME = {"force": "F", "speed": "L_dot", "power": "power", "torque": "torque"} | {

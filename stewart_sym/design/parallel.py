@@ -43,22 +43,19 @@ def _client(scheduler: str) -> Iterator[Any]:
     """Yield a client of the scheduler; close a local scheduler at the end."""
     need("distributed", "a scheduler")
     import dask
-    from distributed import Client, LocalCluster
+    from distributed import Client
 
     if not isinstance(scheduler, str) or not scheduler.strip():
         raise ValueError(f'scheduler: expected "{LOCAL}" or an address, got {shown(scheduler)}')
-    with contextlib.ExitStack() as stack:
-        address: Any = scheduler
-        if scheduler == LOCAL:
-            # The default port of the dashboard may be in use.
-            options = {"dashboard_address": "127.0.0.1:0"}
-            cluster = LocalCluster(
-                threads_per_worker=1, host="127.0.0.1", dashboard_address=None, scheduler_kwargs=options
-            )
-            address = stack.enter_context(cluster)
-        with dask.config.set({"distributed.comm.timeouts.connect": _WAIT}):
-            try:
-                client = Client(address, timeout=_WAIT)
-            except (OSError, ValueError) as error:
-                raise ValueError(f"scheduler: none answers at {shown(scheduler)}: {error}") from None
-        yield stack.enter_context(client)
+    options: dict[str, Any] = {"address": scheduler, "timeout": _WAIT}
+    if scheduler == LOCAL:
+        options = {"threads_per_worker": 1, "host": "127.0.0.1", "dashboard_address": None}
+        # The default port of the dashboard may be in use.
+        options["scheduler_kwargs"] = {"dashboard_address": "127.0.0.1:0"}
+    with dask.config.set({"distributed.comm.timeouts.connect": _WAIT}):
+        try:
+            client = Client(**options)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"scheduler: none answers at {shown(scheduler)}: {error}") from None
+    with client:
+        yield client

@@ -8,11 +8,9 @@ variance. Both counts are integers, so they do not depend on the order or place 
 
 from __future__ import annotations
 
-import functools
 import itertools
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -50,15 +48,7 @@ class Cells(NamedTuple):
         return np.asarray(widths / (np.array(self.counts, dtype=np.float64) * self.splits))
 
 
-class Job(NamedTuple):
-    """Cells and their random seed."""
-
-    cells: Cells
-    seed: tuple[int, int]
-
-
-@dataclass(frozen=True, eq=False)
-class Tally:
+class Tally(NamedTuple):
     """Counts of the points of some cells: by code, mixed pairs, extent (d, 2), and nearest point outside."""
 
     codes: NDArray[np.int64]
@@ -66,13 +56,9 @@ class Tally:
     extent: Array
     nearest: float
 
-    def plus(self, other: Tally) -> Tally:
-        """Return the sum of two tallies."""
-        (low, high), (other_low, other_high) = self.extent.T, other.extent.T
-        extent = np.stack([np.minimum(low, other_low), np.maximum(high, other_high)], axis=-1)
-        codes = self.codes + other.codes
-        return Tally(codes, self.mixed + other.mixed, extent, min(self.nearest, other.nearest))
 
+Job = tuple[Cells, tuple[int, int]]
+"""Cells and their random seed."""
 
 Examine = Callable[[Array], tuple[NDArray[np.int8], Array]]
 """Function from coordinates (n, d) to codes (n,) and distances (n,) from the center pose."""
@@ -109,15 +95,15 @@ def jobs_of(cells: Cells, seed: int) -> list[Job]:
     """Divide the cells into jobs, independent of the scheduler."""
     step = max(1, JOB // math.prod(cells.splits))
     parts = [cells.places[first : first + step] for first in range(0, len(cells.places), step)]
-    return [Job(cells._replace(places=part), (seed, number)) for number, part in enumerate(parts)]
+    return [(cells._replace(places=part), (seed, number)) for number, part in enumerate(parts)]
 
 
 def tally(job: Job, examine: Examine, codes: int) -> Tally:
     """Examine two points in each cell of a job; ``codes`` is the number of codes."""
-    cells = job.cells
+    cells, seed = job
     within = np.array(list(itertools.product(*map(range, cells.splits))), dtype=np.int64)
     places = (cells.places[:, None] * np.array(cells.splits) + within).reshape(-1, len(cells.box))
-    shares = np.random.default_rng(job.seed).random((2, *places.shape))
+    shares = np.random.default_rng(seed).random((2, *places.shape))
     points = (cells.box[:, 0] + (places + shares) * cells.sides).reshape(-1, len(cells.box))
     found, distances = examine(points)
     inside = found == 0
@@ -134,9 +120,12 @@ def tally(job: Job, examine: Examine, codes: int) -> Tally:
 
 def total(tallies: Sequence[Tally], dimensions: int, codes: int) -> Tally:
     """Return the sum of tallies; an empty tally if there are none."""
-    none = np.tile([math.inf, -math.inf], (dimensions, 1))
-    start = Tally(np.zeros(codes, dtype=np.int64), 0, none, math.inf)
-    return functools.reduce(Tally.plus, tallies, start)
+    none = Tally(
+        np.zeros(codes, dtype=np.int64), 0, np.tile([math.inf, -math.inf], (dimensions, 1)), math.inf
+    )
+    counts, mixed, extents, nearest = zip(none, *tallies, strict=True)
+    low, high = np.min(extents, axis=0)[:, 0], np.max(extents, axis=0)[:, 1]
+    return Tally(np.sum(counts, axis=0), sum(mixed), np.stack([low, high], axis=-1), min(nearest))
 
 
 def volume(cells: Cells, found: Tally) -> tuple[float, float]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse_dynamics import Backend, Formulation, inverse_dynamics
-from ..io.arguments import finite_array, instance, real_array
+from ..io.arguments import finite_array, instance
 from ..io.array_types import Array, Frozen, read_only
 from ..io.error_policy import warn
 from ..kinematics.inverse_kinematics import inverse_kinematics
@@ -20,7 +20,7 @@ from ..motion.sample_times import least_step, time_text
 from ..motion.trajectory import Trajectory
 from ..results import SingularPoseWarning
 from ..robot.robot import LEGS, Robot
-from .limits import MOTOR_LIMITS, PEAKS, LimitTracker, trapezoids
+from .limits import MOTOR_LIMITS, PEAKS, LimitTracker, times_of, trapezoids
 from .motor_states import motor_states
 from .noise import Deviations, all_deviations, at_replaced
 
@@ -163,7 +163,7 @@ def drive_effort(
         trajectory, time = motion, motion.time
         motion = trajectory.motion
     instance(motion, Motion, "motion")
-    when = None if time is None else _times(time, motion)
+    when = None if time is None else times_of(motion, time, least=2)
     F = inverse_dynamics(robot, motion, formulation, backend).F
     found = motor_states(robot, robot.drive, motion, F, inverse_kinematics(robot, motion).L_dot)
     values = {name: None if x is None else x.reshape(-1, LEGS) for name, x in found._asdict().items()}
@@ -245,18 +245,3 @@ def motor_forces(robot: Robot, current: ArrayLike) -> Array:
         raise ValueError("robot: expected a drive with a torque_constant for every leg")
     given = finite_array(current, (LEGS,), "current")
     return np.asarray(robot.drive.transmission_ratio * robot.drive.torque_constant * given)
-
-
-def _times(time: ArrayLike, motion: Motion) -> Array:
-    when = real_array(time, "time", "times of shape (n,)")
-    if motion.shape != when.shape or when.ndim != 1 or len(when) < 2:
-        raise ValueError(
-            f"time: expected one value for each of at least two samples, {motion.shape}, got {when.shape}"
-        )
-    if not np.isfinite(when).all():
-        i = int(np.flatnonzero(~np.isfinite(when))[0])
-        raise ValueError(f"time: expected finite times, got {when[i]} at index {i}")
-    if np.any(late := np.diff(when) <= 0.0):
-        i = int(np.flatnonzero(late)[0]) + 1
-        raise ValueError(f"time: expected increasing times, got {when[i]} at index {i} after {when[i - 1]}")
-    return when

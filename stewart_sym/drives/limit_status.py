@@ -76,11 +76,6 @@ def counts_text(verdicts: Mapping[str, str]) -> str:
     return f"limits: {', '.join(counts)}"
 
 
-def farthest(sizes: Array, sd: Array | Sides | None, verdict: str) -> NDArray[np.intp]:
-    """Return the indices of the magnitudes, first axis, that determine the status; NaN are left out."""
-    return np.asarray(np.argmax(_scores(sizes, sd, verdict), axis=0))
-
-
 def _scores(sizes: Array, sd: Array | Sides | None, verdict: str) -> Array:
     """Return the magnitudes that are compared for a status, -inf for NaN."""
     up, down = _sides(sd)

@@ -4,8 +4,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.clearance import angles_from, neutral_directions
 from ..motion.motion import Motion
@@ -158,17 +159,18 @@ class LimitTracker:
                 self._span[limit] += [np.sum(weights * over, axis=0), np.count_nonzero(over, axis=0)]
                 extremes.add(sizes, given, first, sides(sd, limit.values), there)
         torque, power = values.get("torque"), values.get("electrical_power")
-        if torque is None or power is None:
+        if torque is None:
             return
         good = np.isfinite(torque) & (weights > 0.0)
 
         def integral(of: Array) -> Array:
             return np.asarray(np.sum(weights * np.where(good, of, 0.0), axis=0))
 
-        self.energy, self._squares = self.energy + integral(power), self._squares + integral(torque**2)
-        if sd is not None:
-            self.energy_sd = self.energy_sd + integral(sd["electrical_power"])
-            self._square_sd = self._square_sd + integral(sd["torque"] ** 2)
+        self._squares = self._squares + integral(torque**2)
+        self._square_sd = self._square_sd + (0.0 if sd is None else integral(sd["torque"] ** 2))
+        if power is not None:
+            self.energy = self.energy + integral(power)
+            self.energy_sd = self.energy_sd + (0.0 if sd is None else integral(sd["electrical_power"]))
 
     def _rms(self, squares: Array) -> Array:
         span = float(self.weights.sum())
@@ -205,7 +207,7 @@ class LimitTracker:
 
     def _line(self, limit: Limit, verdict: str, legs: list[int], most: Array) -> str:
         """Return the text about a limit and its legs."""
-        worst, i, value, sd = self._of(limit).worst(verdict, legs, most)
+        worst, i, value, sd = self.worst(limit, verdict, legs, most)
         scale, unit = self.units.of_unit(limit.unit)
         bound = scale * limit.sign * limit.bound(self.robot)[worst]
         span, count = self._span[limit][:, worst]
@@ -238,6 +240,13 @@ class LimitTracker:
         """Return the status of each leg."""
         return self._of(limit).verdicts(limit.most(self.robot, tolerance))
 
+    def worst(
+        self, limit: Limit, verdict: str, legs: list[int], most: Array | None = None
+    ) -> tuple[int, int, float, float | None]:
+        """Return the leg farthest beyond its limit, the index of the sample, value, and deviation if any."""
+        most = limit.most(self.robot) if most is None else most
+        return self._of(limit).worst(verdict, legs, most)
+
     def peaks(self, limit: Limit) -> tuple[Array, Array | None]:
         """Return the largest magnitudes, or extreme lengths, and their standard deviations or None, (6,)."""
         found = self._of(limit)
@@ -255,6 +264,18 @@ class LimitTracker:
         found, rms, sd = Extremes(), self.rms_torque[None], self.rms_torque_sd
         found.add(rms, rms, 0, None if sd is None else (sd[None], sd[None]))
         return found
+
+
+def times_of(motion: Motion, time: ArrayLike, name: str = "time", least: int = 1) -> Array:
+    """Return the finite, increasing times (s) of at least ``least`` samples of a motion, shape (n,)."""
+    when = real_array(time, name, "times of shape (n,)")
+    if motion.shape != when.shape or when.ndim != 1 or len(when) < least:
+        expected = f"expected a time for each sample of a motion of shape (n,), n >= {least}"
+        raise ValueError(f"{name}: {expected}, got {when.shape} and {motion.shape}")
+    if np.any(wrong := ~(np.diff(when, prepend=-np.inf) > 0.0) | ~np.isfinite(when)):
+        i = int(np.argmax(wrong))
+        raise ValueError(f"{name}: expected finite, increasing times, got {when[i]} at index {i}")
+    return when
 
 
 def trapezoids(time: Array) -> Array:

@@ -170,12 +170,8 @@ class ArrayKernel(Frozen):
 
         Parameters
         ----------
-        R : array_like, shape (..., 3, 3)
-            Orientation, from the platform frame to the base frame.
-        t : array_like, shape (..., 3)
-            Position of the reference point (m), base frame.
-        omega, v : array_like, shape (..., 3), optional
-            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+        R, t, omega, v : array_like
+            Pose and velocities, as in ``forces``.
 
         Returns
         -------
@@ -204,16 +200,12 @@ class ArrayKernel(Frozen):
 
         Parameters
         ----------
-        R : array_like, shape (..., 3, 3)
-            Orientation, from the platform frame to the base frame.
-        t : array_like, shape (..., 3)
-            Position of the reference point (m), base frame.
-        omega, v : array_like, shape (..., 3), optional
-            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+        R, t, omega, v : array_like
+            Pose and velocities, as in ``forces``.
         F : array_like, shape (..., 6), optional
             Actuator forces (N), positive when they extend the leg; by default 0.
-        F_ext, M_ext : array_like, shape (..., 3), optional
-            External force (N) and moment (N m) at the reference point, platform frame; by default 0.
+        F_ext, M_ext : array_like, optional
+            External force and moment, as in ``forces``.
 
         Returns
         -------
@@ -236,10 +228,8 @@ class ArrayKernel(Frozen):
 
         Parameters
         ----------
-        R : array_like, shape (..., 3, 3)
-            Orientation, from the platform frame to the base frame.
-        t : array_like, shape (..., 3)
-            Position of the reference point (m), base frame.
+        R, t : array_like
+            Pose, as in ``forces``.
 
         Returns
         -------
@@ -259,12 +249,8 @@ class ArrayKernel(Frozen):
 
         Parameters
         ----------
-        R : array_like, shape (..., 3, 3)
-            Orientation, from the platform frame to the base frame.
-        t : array_like, shape (..., 3)
-            Position of the reference point (m), base frame.
-        omega, v : array_like, shape (..., 3), optional
-            Angular velocity (rad/s) and velocity of the reference point (m/s), base frame; by default 0.
+        R, t, omega, v : array_like
+            Pose and velocities, as in ``forces``.
 
         Returns
         -------

@@ -1,31 +1,29 @@
-"""Actuator forces by C kernels whose constants are prepared once per robot, with threads."""
+"""Actuator forces by C kernels whose constants are prepared once per robot, and bounds of their errors."""
 
-import ctypes
-import math
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..backend.kernel import FORMULATIONS, MOTION, force_kernel_name
-from ..calls.c_kernel import OnePose, address, function, pointers, prepared_model, results_of, run_batch
-from ..calls.threads import in_parts
-from ..io.arguments import instance, option, real_array, shown
+from ..calls.c_kernel import CKernel, OnePose, function, prepared, prepared_model, results_of, run_batch
+from ..io.arguments import instance, option, shown
 from ..io.array_types import Frozen
 from ..io.error_policy import warn
 from ..motion.motion import Motion
-from ..results import NOT_FINITE, OK, ON_SINGULAR, SINGULAR, UNREACHABLE, OnSingular
+from ..results import NOT_FINITE, ON_FAULT, UNREACHABLE, OnFault
 from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .inverse_dynamics import (
     Backend,
     Formulation,
-    damped_terms,
     inverse_dynamics,
     need_motion,
+    need_universal,
     report_faults,
     with_compiler,
 )
@@ -33,6 +31,7 @@ from .neglected_physics import neglected_physics
 
 Array = NDArray[Any]
 Precision = Literal["double", "float"]
+_SHAPES = {**MOTION, "F": (6,)}
 _OPTIONAL = ("F_ext", "M_ext")
 
 
@@ -81,7 +80,7 @@ class ForceKernel(Frozen):
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        model = prepared_model(self.c_function("prepare"), self.robot, self.name, self.precision)
+        model = prepared_model(self._function("prepare"), self.robot, self.name, self.precision)
         # The memory layout is kept, because a copy would be slower.
         object.__setattr__(self, "model", model)
         if self.warns and self.fidelity != "general":
@@ -104,7 +103,7 @@ class ForceKernel(Frozen):
         self,
         motion: Motion | Sequence[Array | None],
         threads: int = 1,
-        on_singular: OnSingular = "raise",
+        on_singular: OnFault = "raise",
         *,
         out: tuple[Array, NDArray[np.int32]] | None = None,
     ) -> Array:
@@ -119,15 +118,15 @@ class ForceKernel(Frozen):
         threads : int, optional
             Largest number of threads, including the caller. The result does not depend on it, and small
             batches use one thread.
-        on_singular : {"raise", "warn", "nan", "damped"}, optional
-            Action for poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
-            ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped",
-            which requires fidelity "general", F is computed by damped least squares as in
-            ``inverse_dynamics``.
+        on_singular : {"raise", "warn", "nan"}, optional
+            Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+            ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
         out : tuple of ndarray, optional
             Output arrays for forces, (n, 6), and statuses, int32, (n,). No array is copied: all arrays except
-            the statuses must be C-contiguous and of type ``dtype``. For a pose without a solution, the forces
-            do not change, the status is not 0, and no error is raised.
+            the statuses have the type ``dtype`` and are C-contiguous, or all are views of columns. Then ``t``
+            is the transpose of an array (3, n), F of an array (6, n), and R a view of (9, n); all have the
+            same distance between columns, for example slices ``[:, first:last]`` of longer arrays. For a pose
+            without a solution, the forces do not change, the status is not 0, and no error is raised.
 
         Returns
         -------
@@ -147,20 +146,14 @@ class ForceKernel(Frozen):
                 raise ValueError("on_singular: does not apply with out, whose statuses name unsolvable poses")
             arrays = [getattr(motion, name) for name in MOTION] if isinstance(motion, Motion) else motion
             F, status = out
-            _need_layout(arrays, F, status, self.dtype)
-            code = self.c_function("forces_batch")
-            run_batch(code, self.model, arrays, [F], status, apart=True, threads=threads)
+            stride = _distance_of_columns(arrays, F, status, self.dtype)
+            code = self._function("forces_columns" if stride else "forces_batch")
+            run_batch(code, self.model, arrays, [F], status, apart=True, threads=threads, stride=stride)
             return F
         instance(motion, Motion, "motion")
         motion = cast("Motion", motion)
-        option(on_singular, ON_SINGULAR, "on_singular")
-        if on_singular == "damped" and self.fidelity != "general":
-            raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
-        need_motion(self.robot, motion)
+        option(on_singular, ON_FAULT, "on_singular")
         F, status = self.forces_and_status(motion, threads)
-        if on_singular == "damped" and (singular := status == SINGULAR).any():
-            F[singular] = damped_terms(self.robot, motion[singular], self.formulation)["F"]
-            status = np.where(np.isfinite(F).all(axis=-1), OK, status).astype(np.int32)
         report_faults(status, self.robot, motion, on_singular)
         return F
 
@@ -172,75 +165,7 @@ class ForceKernel(Frozen):
         OnePose
             Buffers of type ``dtype``; inputs are 0 and F is NaN.
         """
-        return OnePose(self.c_function("forces"), self.model, np.full(6, np.nan, dtype=self.dtype))
-
-    def forces_soa(
-        self,
-        R: ArrayLike,
-        t: ArrayLike,
-        omega: ArrayLike,
-        v: ArrayLike,
-        alpha: ArrayLike,
-        a: ArrayLike,
-        F_ext: ArrayLike | None = None,
-        M_ext: ArrayLike | None = None,
-        threads: int = 1,
-        *,
-        out: tuple[Array, NDArray[np.int32]] | None = None,
-    ) -> tuple[Array, NDArray[np.int32]]:
-        """Compute the actuator forces of motions in columns, with consecutive values of each component.
-
-        The arrays must have one column per pose; for n = 3 this cannot be checked. Arrays of another type, or
-        with different distances between rows, are copied. Access is fastest if every row starts at a multiple
-        of 64 bytes, and the distance between rows is not a multiple of 4096 bytes.
-
-        Parameters
-        ----------
-        R : array_like, shape (3, 3, n) or (9, n)
-            Orientations, from the platform frame to the base frame, row-major.
-        t, omega, v, alpha, a : array_like, shape (3, n)
-            Positions of the reference point (m), angular velocities (rad/s), velocities (m/s), angular
-            accelerations (rad/s^2), and accelerations (m/s^2), base frame.
-        F_ext, M_ext : array_like, shape (3, n), optional
-            External forces (N) and moments (N m) at the reference point, platform frame.
-        threads : int, optional
-            Largest number of threads, as for ``forces``.
-        out : tuple of ndarray, optional
-            Output arrays for F, (6, n), and statuses, int32, (n,). No array is copied: R has the shape (9,
-            n), and all arrays have the type ``dtype``. All arrays except the statuses have the same distance
-            between rows, for example column slices of longer arrays. Forces of poses without a solution do
-            not change.
-
-        Returns
-        -------
-        F : ndarray, shape (6, n)
-            Actuator forces (N), positive when they extend the leg, (37). NaN if the status is not 0, except
-            in ``out``.
-        status : ndarray of int32, shape (n,)
-            Codes of ``results.STATUS_TEXT``. The code is 1 also if a leg with offset joints cannot reach its
-            platform point.
-
-        Raises
-        ------
-        ValueError
-            If an array has another shape; the message names the array. With ``out``, also if an array has
-            another type or layout, or if an output shares memory with another array.
-        """
-        arrays: Sequence[Array | None] = (R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[assignment]
-        if out is None:
-            arrays, count = _in_columns(arrays, self.dtype)
-            out = np.full((6, count), np.nan, dtype=self.dtype), np.zeros(count, dtype=np.int32)
-        F, status = out
-        stride = _need_layout(arrays, F, status, self.dtype, columns=True)
-        code = self.c_function("forces_columns")
-
-        def run(start: int, poses: int) -> None:
-            sizes = ctypes.c_size_t(poses), ctypes.c_size_t(stride)
-            inputs = pointers(None if each is None else each[:, start:] for each in arrays)
-            code(address(self.model), *sizes, inputs, address(F[:, start:]), address(status[start:]))
-
-        in_parts(status.size, threads, run)
-        return F, status
+        return OnePose(self._function("forces"), self.model, np.full(6, np.nan, dtype=self.dtype))
 
     def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
         """Compute the forces and the status of every pose of a motion.
@@ -265,7 +190,7 @@ class ForceKernel(Frozen):
             If the motion has no accelerations.
         """
         need_motion(self.robot, motion)
-        code, shapes = self.c_function("forces_batch"), {"F": (6,)}
+        code, shapes = self._function("forces_batch"), {"F": (6,)}
         found = results_of(code, self.model, motion, shapes, apart=True, threads=threads)
         F, status = found["F"], found["status"]
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
@@ -279,83 +204,57 @@ class ForceKernel(Frozen):
         """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
-    def c_function(self, name: str) -> Any:
-        """Return a C function of the compiled library of the kernel.
-
-        Parameters
-        ----------
-        name : str
-            Last part of the function name ``stewart_<kernel>_<name>``.
-
-        Returns
-        -------
-        callable
-            Function of ``ctypes``.
-        """
+    def _function(self, name: str) -> Any:
+        """Return the C function ``stewart_<kernel>_<name>``."""
         return function(self.name, name, "_forces", self.precision)
 
 
-def _in_columns(values: Sequence[Any], dtype: Any) -> tuple[list[Array | None], int]:
-    """Convert the arrays of a motion to contiguous columns for C, and return the number of poses.
+def _distance_of_columns(arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any) -> int:
+    """Return the distance between columns in numbers, 0 for rows; ValueError for an array that C cannot use.
 
-    ``values`` are in the order of ``MOTION``: R has the shape (3, 3, n) or (9, n), the others have (3, n).
-    """
-    found: list[Array | None] = []
-    for name, value in zip(MOTION, values, strict=True):
-        if value is None and name in _OPTIONAL:
-            found.append(None)
-            continue
-        array = real_array(value, name)
-        if array.shape[:2] == (3, 3) and array.ndim == 3:
-            array = array.reshape(9, -1)
-        with np.errstate(over="ignore"):
-            found.append(np.ascontiguousarray(array, dtype))
-    assert found[0] is not None
-    return found, found[0].size // 9
-
-
-def _need_layout(
-    arrays: Sequence[Array | None], F: Array, status: Any, dtype: Any, columns: bool = False
-) -> int:
-    """Return the distance between columns in numbers; raise ValueError for an array that C cannot use.
-
-    ``arrays`` are in the order of ``MOTION``. Poses are rows with the shape of the status, or columns of
-    equal distance. The outputs must not share memory with another array.
+    ``arrays`` are in the order of ``MOTION``. The outputs must not share memory with another array.
     """
     if len(arrays) != len(MOTION):
         raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
-    given = {name: each for name, each in zip((*MOTION, "F"), (*arrays, F), strict=True) if each is not None}
-    R = np.atleast_2d(given.get("R", np.nan))
-    shape = R.shape[-1:] if columns else R.shape[:-2]
-    stride = max(*shape, R.strides[0] // R.itemsize) if columns else 0
-    for name, one in (*MOTION.items(), ("F", (6,))):
-        if name in given or name not in _OPTIONAL:
-            wanted = (math.prod(one), *shape) if columns else (*shape, *one)
-            _need(name, given.get(name), wanted, dtype, stride)
-    _need("status", status, shape, np.int32)
+    R, stride, kind = np.asarray(arrays[0]), 0, np.dtype(dtype)
+    if R.ndim == 3 and not R.flags.c_contiguous:
+        stride = max(len(R), R.strides[2] // R.itemsize)
+    pairs = zip(_SHAPES, (*arrays, F), strict=True)
+    given = {name: array for name, array in pairs if array is not None or name not in _OPTIONAL}
+    lead = R.shape[:-2]
+    for name, array in given.items():
+        _need(name, array, lead + _SHAPES[name], kind, stride)
+    _need("status", status, lead, np.dtype(np.int32))
     for name, own in (("F", F), ("status", status)):
         if not own.flags.writeable:
             raise ValueError(f"{name}: expected a writeable array")
-        for other, array in given.items():
+    # Arrays that own their data share no memory.
+    if not all(each.flags.owndata for each in (*given.values(), status)):
+        for (name, own), (other, array) in itertools.product((("status", status), ("F", F)), given.items()):
             if array is not own and np.shares_memory(own, array):
                 raise ValueError(f"{name}: expected separate memory, got memory of {other}")
     return stride
 
 
-def _need(name: str, array: Any, shape: tuple[int, ...], dtype: Any, stride: int = 0) -> None:
-    """Raise ValueError for another shape, type, or layout: columns with a distance in numbers, or C order."""
-    size, is_array = np.dtype(dtype).itemsize, isinstance(array, np.ndarray)
-    if is_array and array.shape == shape and array.dtype == dtype and array.flags.aligned:
-        along = array.strides[-1] == size or array.shape[-1] < 2
-        fits = along and array.strides[0] == stride * size if stride else array.flags.c_contiguous
-        if fits or not array.size:
+def _need(name: str, array: Any, shape: tuple[int, ...], dtype: np.dtype[Any], stride: int = 0) -> None:
+    """Raise ValueError for another shape, type, or layout: rows, or columns with a distance in numbers."""
+    if isinstance(array, np.ndarray) and array.shape == shape and array.dtype == dtype:
+        flags = array.flags
+        if flags.aligned and (_is_column(array, stride) if stride else flags.c_contiguous):
             return
     # Texts only for an error, because the text of a large array takes longer than the forces.
-    layout = f"rows {stride * size} bytes apart" if stride else "C-contiguous"
     got = shown(array)
-    if is_array:
+    if isinstance(array, np.ndarray):
         got = f"{array.shape} of {array.dtype} with strides {array.strides}, aligned: {array.flags.aligned}"
-    raise ValueError(f"{name}: expected an aligned array {shape} of {np.dtype(dtype)}, {layout}, got {got}")
+    layout = f"columns {stride} numbers apart" if stride else "C-contiguous"
+    raise ValueError(f"{name}: expected an aligned array {shape} of {dtype}, {layout}, got {got}")
+
+
+def _is_column(array: Array, stride: int) -> bool:
+    """Return True if the components of a pose are at this distance in numbers, and poses are adjacent."""
+    size = array.itemsize
+    steps = (3 * stride * size, stride * size) if array.ndim == 3 else (stride * size,)
+    return bool(array.strides == (size, *steps))
 
 
 def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
@@ -369,3 +268,96 @@ def forces_of(robot: Robot, formulation: Formulation, backend: Backend) -> Calla
         return full  # Checks the options and supports all robots, in contrast to the force kernels.
     kernel = with_compiler(lambda: ForceKernel(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
+
+
+@dataclass(frozen=True, eq=False)
+class ForceErrorBoundsResult:
+    """Actuator forces with bounds of their rounding errors.
+
+    ``(...)`` is the shape of the motion. Numbers have the type of the precision and are NaN if the status is
+    not 0.
+
+    Attributes
+    ----------
+    F : ndarray, shape (..., 6)
+        Actuator forces (N), positive when they extend the leg, (37).
+    bound : ndarray, shape (..., 6)
+        Bounds (N) of the differences between F and the exact forces for the same inputs. Infinite if H is so
+        nearly singular that this precision gives no bound.
+    rcond : ndarray, shape (...)
+        Reciprocal condition number of H in the maximum column sum norm, at most 1. Moments are about the
+        reference point and divided by the characteristic length.
+    status : ndarray of int, shape (...)
+        Status of each pose: 0 if it was solved, otherwise a code of ``STATUS_TEXT``.
+    """
+
+    F: Array
+    bound: Array
+    rcond: Array
+    status: NDArray[np.int32]
+
+
+def force_error_bounds(
+    robot: Robot, motion: Motion, precision: Precision = "double", on_singular: OnFault = "raise"
+) -> ForceErrorBoundsResult:
+    """Compute actuator forces with a rigorous bound of the rounding error of each force.
+
+    Parameters
+    ----------
+    robot : Robot
+        Robot model with universal base joints without offsets.
+    motion : Motion, shape (...)
+        Poses, velocities, and accelerations of the platform, with an external wrench if there is one.
+    precision : {"double", "float"}, optional
+        Type of the numbers in C.
+    on_singular : {"raise", "warn", "nan"}, optional
+        Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
+
+    Returns
+    -------
+    ForceErrorBoundsResult
+        Forces ``F`` (N) and bounds ``bound`` (N), shape (..., 6); reciprocal condition numbers ``rcond`` and
+        ``status``, shape (...).
+
+    Raises
+    ------
+    ValueError
+        If an option is unknown, the robot has spherical or offset base joints, or the precision cannot
+        represent its constants. Also if the motion has no accelerations, or if a pose has no solution and
+        ``on_singular`` is "raise".
+    CompilerError
+        If there is no working C compiler.
+
+    See Also
+    --------
+    inverse_dynamics : Compute the forces without bounds.
+    force_std : Compute the effect of measurement noise.
+
+    Notes
+    -----
+    The bounds are rigorous except for overflow and underflow. They count the rounding of every operation,
+    weighted by the derivative of the force with respect to its result. This is running error analysis
+    (Higham, Accuracy and Stability of Numerical Algorithms, 3.3). The solution of H x = c is enclosed as in
+    Rump, Acta Numerica 19 (2010), 10. Inputs count as exact after they are rounded to the precision, except
+    that R denotes the rotation nearest to it. The kernel is the formulation "exact".
+
+    Examples
+    --------
+    >>> import stewart_sym as ss
+    >>> robot = ss.robots.load("dasgupta1998")
+    >>> motion = ss.PAPER_PATHS["I"].path.sample(1.0)
+    >>> result = ss.force_error_bounds(robot, motion)
+    >>> bool((result.bound < 1e-10).all())
+    True
+    >>> round(float(result.rcond), 3)
+    0.024
+    """
+    option(precision, ("double", "float"), "precision")
+    option(on_singular, ON_FAULT, "on_singular")
+    need_universal(robot)
+    need_motion(robot, motion)
+    kernel = prepared(CKernel, robot, "exact", "_bounds", precision)
+    found = ForceErrorBoundsResult(**kernel.run("forces_bounded", motion))
+    report_faults(found.status, robot, motion, on_singular)
+    return found

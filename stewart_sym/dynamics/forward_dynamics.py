@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from ..backend.kernel import FORMULATIONS
-from ..calls.c_kernel import CKernel
+from ..calls.c_kernel import CKernel, prepared
 from ..io.arguments import instance, option
 from ..io.array_types import Array, Codes, Flags
 from ..kinematics.conditioning import characteristic_length
@@ -108,8 +107,7 @@ def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
 
 def actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
     """Return the function H F = H D - c for robots that differ from this one only in numbers."""
-    kernel = functools.lru_cache(4)(lambda each: inverse_dynamics.prepared_kernel(each, formulation, backend))
-    kernel(robot)
+    inverse_dynamics.prepared_kernel(robot, formulation, backend)
     if robot.offsets is not None:
         return offset_joints.actuator_wrench
     if backend == "reference":
@@ -117,7 +115,8 @@ def actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWre
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
 
     def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
-        found = kernel(robot).run("inverse_dynamics", motion)
+        kernel = inverse_dynamics.prepared_kernel(robot, formulation, backend)
+        found = kernel.run("inverse_dynamics", motion)
         return np.einsum("...ij,...j->...i", found["H"], found["D"]) - found["c"], found["status"]
 
     return wrench
@@ -132,10 +131,11 @@ def closed_form_of(robot: Robot, formulation: str, backend: str) -> ClosedForm |
     if robot.offsets is not None:
         return None
     if backend == "numpy":
-        return NumpyClosedForm(robot, np)
-    found: ClosedForm = inverse_dynamics.with_compiler(
-        lambda: CKernel(robot, "exact", "_motion"), lambda: NumpyClosedForm(robot, np)
-    )
+        found: ClosedForm = prepared(NumpyClosedForm, robot, np)
+    else:
+        found = inverse_dynamics.with_compiler(
+            lambda: prepared(CKernel, robot, "exact", "_motion"), lambda: prepared(NumpyClosedForm, robot, np)
+        )
     return found
 
 
@@ -145,7 +145,7 @@ def _one_state(closed: CKernel) -> Callable[[Motion, Array], tuple[Array, int]]:
 
     def solve(motion: Motion, F: Array) -> tuple[Array, int]:
         pose.load(motion)
-        pose.F[:] = F
+        pose.F[...] = F
         status = pose.solve()
         return (x.copy() if status == OK else np.full(6, np.nan)), status
 

@@ -16,19 +16,17 @@ from numpy.typing import ArrayLike
 from .. import results
 from ..backend.kernel import FORMULATIONS, need_exact, robot_kernel
 from ..backend.native import CompilerError
-from ..calls.c_kernel import CKernel
+from ..calls.c_kernel import CKernel, prepared
 from ..calls.numpy_kernel import NumpyKernel
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Codes
 from ..io.error_policy import warn
 from ..io.toml_reader import per_leg
-from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler, offset_joints
-from ..results import ON_SINGULAR, OnSingular
+from ..results import ON_FAULT, OnFault
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot, need_masses
-from .damped_least_squares import damped_least_squares
 
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
@@ -47,6 +45,7 @@ class _VectorKernel:
         if robot.offsets is None:
             robot_kernel(robot, formulation)
         else:
+            need_masses(robot)
             need_exact(formulation, "with offset joints")
         self.robot, self.faults = robot, faults_of(formulation)
 
@@ -65,7 +64,7 @@ def inverse_dynamics(
     motion: Motion,
     formulation: Formulation = "exact",
     backend: Backend = "c",
-    on_singular: OnSingular = "raise",
+    on_singular: OnFault = "raise",
 ) -> results.InverseDynamicsResult:
     """Compute the actuator forces that produce a motion of the platform.
 
@@ -81,13 +80,9 @@ def inverse_dynamics(
         "c" for C code that is compiled on first use (NumPy if there is no compiler), "numpy" for generated
         NumPy code, "reference" for an independent vector implementation. Robots with offset joints always use
         the vector implementation.
-    on_singular : {"raise", "warn", "nan", "damped"}, optional
+    on_singular : {"raise", "warn", "nan"}, optional
         Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
-        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", F is
-        computed by damped least squares if H is singular. The status of such a pose remains nonzero, and
-        ``wrench_error`` is the part of the wrench that F does not balance. Damping cannot help if a leg has
-        length zero or is parallel to its universal axis: "damped" then returns NaN with a warning. Poses
-        with status 0 have bit-identical results with and without "damped".
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
@@ -135,10 +130,7 @@ def inverse_dynamics(
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.run("inverse_dynamics", motion)
-    if on_singular == "damped":
-        found["wrench_error"] = np.where((found["status"] == results.OK)[..., None], np.zeros(6), np.nan)
-        _damp(found, motion, lambda poses: damped_terms(robot, poses, formulation))
-    _report(found["status"], found["F"], robot, motion, on_singular)
+    report_faults(found["status"], robot, motion, on_singular)
     return results.InverseDynamicsResult(**found)
 
 
@@ -148,7 +140,7 @@ def joint_reactions(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     bearing_distance: ArrayLike | None = None,
-    on_singular: OnSingular = "raise",
+    on_singular: OnFault = "raise",
 ) -> results.JointReactionsResult:
     """Compute the forces and moments in the joints of the legs.
 
@@ -167,10 +159,9 @@ def joint_reactions(
     bearing_distance : array_like, shape () or (6,), optional
         Distance (m) along each leg from its base point to the point at which the moment M_p is taken; by
         default 0. With offset joints, the distance is along the sliding axis, from the point of zero length.
-    on_singular : {"raise", "warn", "nan", "damped"}, optional
+    on_singular : {"raise", "warn", "nan"}, optional
         Treatment of poses without a solution. "raise" raises a ``ValueError``, "warn" issues a
-        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning. With "damped", the
-        reactions belong to the forces of damped least squares if H is singular.
+        ``SingularPoseWarning`` and returns NaN, and "nan" returns NaN without a warning.
 
     Returns
     -------
@@ -212,9 +203,7 @@ def joint_reactions(
     values = {name: each for name, each in found.items() if each is not None}
     # Reactions can overflow although the forces do not.
     found = newton_euler.with_status(values, newton_euler.without_overflow(values, status))
-    if on_singular == "damped":
-        _damp(found, motion, lambda poses: _damped_reactions(robot, poses, formulation, where))
-    _report(found["status"], found["M_u"], robot, motion, on_singular)
+    report_faults(found["status"], robot, motion, on_singular)
     return results.JointReactionsResult(**found)
 
 
@@ -317,7 +306,7 @@ def _prepared(
     robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
 ) -> DynamicsKernel:
     need_motion(robot, motion)
-    option(on_singular, ON_SINGULAR, "on_singular")
+    option(on_singular, ON_FAULT, "on_singular")
     return prepared_kernel(robot, formulation, backend)
 
 
@@ -325,14 +314,14 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
     """Return the kernel of a formulation and a backend for a robot; ValueError for unknown options."""
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
-    need_masses(robot)
     if robot.offsets is not None or backend == "reference":
-        return _VectorKernel(robot, formulation)
-    if backend == "numpy":
-        return NumpyKernel(robot, formulation)
-    found: DynamicsKernel = with_compiler(
-        lambda: CKernel(robot, formulation), lambda: NumpyKernel(robot, formulation)
-    )
+        found: DynamicsKernel = prepared(_VectorKernel, robot, formulation)
+    elif backend == "numpy":
+        found = prepared(NumpyKernel, robot, formulation)
+    else:
+        found = with_compiler(
+            lambda: prepared(CKernel, robot, formulation), lambda: prepared(NumpyKernel, robot, formulation)
+        )
     return found
 
 
@@ -364,45 +353,6 @@ def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
 @functools.cache
 def _say_once(text: str) -> None:
     warn(text, RuntimeWarning)
-
-
-def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
-    """Compute F, D, x, K, H, c, and wrench_error by ``damped_least_squares``, without a status.
-
-    Every backend uses the NumPy kernel, or the vector implementation for joint offsets. Values are NaN if a
-    leg has no direction.
-    """
-    if robot.offsets is not None:
-        terms = offset_joints.terms(robot, motion)
-    else:
-        terms = NumpyKernel(robot, formulation).terms(motion)
-        del terms["status"]
-    with np.errstate(over="ignore", invalid="ignore"):
-        x, error = damped_least_squares(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
-        F = terms["D"] - x
-    return terms | {"F": F, "x": x, "wrench_error": error}
-
-
-def _damped_reactions(robot: Robot, motion: Motion, formulation: str, bearing: Array) -> dict[str, Array]:
-    x = damped_terms(robot, motion, formulation)["x"]
-    if robot.offsets is not None:
-        return offset_joints.reactions_of(robot, motion, x, bearing)
-    return NumpyKernel(robot, formulation).reactions_of(motion, x, bearing)
-
-
-def _damp(found: dict[str, Any], motion: Motion, values: Callable[[Motion], dict[str, Array]]) -> None:
-    """Replace the values of the poses with singular H by damped values; ``values`` computes them by name."""
-    singular = found["status"] == results.SINGULAR
-    if singular.any():
-        for name, value in values(motion[singular]).items():
-            found[name][singular] = value
-
-
-def _report(status: Codes, values: Array, robot: Robot, motion: Motion, on_singular: str) -> None:
-    """Report unsolvable poses; ``values`` (..., 6) are finite if damping succeeded."""
-    if on_singular == "damped":
-        status = np.where(np.isfinite(values).all(axis=-1), results.OK, status).astype(np.int32)
-    report_faults(status, robot, motion, on_singular)
 
 
 def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str) -> None:

@@ -1,5 +1,6 @@
 """Export of robots to the model formats of other programs, and import from them."""
 
+import functools
 import os
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping
@@ -34,7 +35,7 @@ PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "drake": "Drake", "urdf": "Pinocc
 _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
     "mjcf": mjcf_out.written,
     "sdf": sdf_out.written,
-    "drake": sdf_out.written_for_drake,
+    "drake": functools.partial(sdf_out.written, drake=True),
     "urdf": urdf_out.written,
     "usd": usd_out.written,
 }

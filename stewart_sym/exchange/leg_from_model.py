@@ -23,20 +23,11 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class OffsetLines:
-    """Both axes at the base and the sliding axis of a leg, in the world frame.
+    """Both axes at the base and the sliding axis of a leg, in the world frame, shape (3,) each.
 
-    Attributes
-    ----------
-    b : ndarray, shape (3,)
-        Base point.
-    A : ndarray, shape (3,)
-        Intersection of the common normal o with the moving axis.
-    k, y : ndarray, shape (3,)
-        Directions of the fixed and of the moving axis.
-    tip : ndarray, shape (3,)
-        End of the sliding axis.
-    s : ndarray, shape (3,)
-        Direction of the sliding axis away from the base.
+    The common normal o of both axes begins at the base point b and meets the moving axis at A. The
+    directions of the fixed and of the moving axis are k and y. The sliding axis ends at ``tip`` with the
+    direction s away from the base.
     """
 
     b: Array

@@ -53,20 +53,8 @@ class Shape:
 class Body:
     """Rigid body in the configuration of the model.
 
-    Attributes
-    ----------
-    R : ndarray, shape (3, 3)
-        Orientation in the world frame.
-    t : ndarray, shape (3,)
-        Origin in the world frame (m).
-    mass : float
-        Mass (kg); 0 for a body that only connects joints.
-    center : ndarray, shape (3,)
-        Center of mass in the body frame (m).
-    inertia : ndarray, shape (3, 3)
-        Inertia about the center of mass in the body frame (kg m^2).
-    shapes : tuple of Shape
-        Drawn shapes.
+    The orientation R and the origin t (m) are in the world frame. A body that only connects joints has the
+    mass 0 kg. The center of mass (m) and the inertia about it (kg m^2) are in the body frame.
     """
 
     name: str
@@ -105,38 +93,16 @@ class Body:
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """Joint, or closure of a loop if ``cut``.
+    """Joint between two bodies, or closure of a loop if ``cut``. Units are m, N, kg, rad, and s.
 
-    Attributes
-    ----------
-    kind : str
-        ``revolute`` or ``prismatic`` with one axis, ``universal`` with two, ``spherical``, ``fixed``, or
-        ``free``.
-    parent, child : str
-        Names of the bodies.
-    point : ndarray, shape (3,)
-        Joint point in the frame of the child (m).
-    axes : ndarray, shape (n, 3)
-        Directions in the world frame, from parent to child.
-    damping : float
-        Damping (N m s or N s/m).
-    armature : float
-        Inertia of the drive at the joint (kg or kg m^2).
-    position : float
-        Joint coordinate in the configuration of the model; for a fixed cut, its angular error (rad).
-    limits : tuple of float
-        Limits of the coordinate.
-    effort, speed : float
-        Limits of the drive (N or N m, and m/s or rad/s).
-    cut : bool
-        True for a loop closure.
-    parent_point : ndarray, shape (3,)
-        For a cut, joint point in the frame of the parent (m).
-    driven : bool
-        True if the joint has a drive.
-    load : ndarray, shape (6,)
-        Force (N) and moment (N m) on the child at the joint point in the configuration of the model, world
-        axes, by springs and other effects that a robot cannot represent.
+    A joint of the kind revolute or prismatic has one axis, and a universal joint has two. Other kinds are
+    spherical, fixed, and free. The directions ``axes``, (n, 3), are in the world frame, from parent to
+    child. The joint point is in the frame of the child, and for a cut also in the frame of the parent.
+
+    The coordinate ``position`` belongs to the configuration of the model; for a fixed cut it is its angular
+    error. ``effort`` and ``speed`` are limits of the drive, and ``armature`` is its inertia at the joint.
+    ``load`` is the force and moment on the child at the joint point, world axes, (6,), by springs and other
+    effects that a robot cannot represent.
     """
 
     name: str
@@ -173,16 +139,9 @@ class Joint:
 class Model:
     """Bodies, including the world, and joints of a robot; each body follows its carrier.
 
-    Attributes
-    ----------
-    gravity : ndarray, shape (3,), optional
-        Gravity (m/s^2); None if the file does not contain it.
-    note : mapping, optional
-        Tables of the robot file that the model was exported from.
-    left_out : tuple of str
-        Contents of the file that a model cannot represent.
-    assumed : mapping
-        Assumptions, by the name of the body, or by another key for the whole file.
+    The gravity (m/s^2) is None if the file does not contain it. ``note`` contains the tables of the exported
+    robot file, and ``left_out`` the contents that a model cannot represent. The keys of ``assumed`` are
+    names of bodies, or other keys for the whole file.
     """
 
     name: str

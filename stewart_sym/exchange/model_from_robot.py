@@ -33,13 +33,7 @@ _FAULTY, _THIN = 1e-2, 1e-6
 
 
 def model_of(robot: Robot) -> Model:
-    """Convert the robot in its home pose, or in a level pose with legs near half of their stroke.
-
-    Raises
-    ------
-    ValueError
-        If a leg is parallel to its fixed axis in this pose, or if its joint offsets cannot reach the pose.
-    """
+    """Convert the robot in its home pose, or in a level pose with legs near half of their stroke."""
     t, offsets = level_home(robot), robot.offsets
     feet, start = robot.b, np.zeros((LEGS, 3))
     if offsets is None:
@@ -69,13 +63,9 @@ def model_of(robot: Robot) -> Model:
 
 
 def possible(robot: Robot, reader: str) -> Robot:
-    """Return the robot with possible inertias, which ``reader`` requires.
+    """Return the robot with the nearest possible inertias, which ``reader`` requires.
 
-    Raises
-    ------
-    ValueError
-        If an inertia is impossible and its warning is not suppressed. Otherwise it is replaced by the nearest
-        possible tensor, with a warning.
+    Raises ValueError for an impossible inertia whose warning is not suppressed.
     """
     faults = impossible_inertias(robot)
     for name, text in faults:

@@ -34,10 +34,7 @@ LEAD = 0.005
 def robot_of(model: Model) -> tuple[Robot, list[str]]:
     """Return the robot that bodies and joints describe, and a message for each assumption.
 
-    Raises
-    ------
-    ValueError
-        For other mechanisms, and if the forces at rest differ too much from the forces of the model.
+    Raises ValueError for other mechanisms, and for other forces at rest than in the model.
     """
     machine, order = _ordered(machine_of(model))
     off = _open_by(machine, model)

@@ -32,10 +32,7 @@ class Step:
 class Leg:
     """Leg of a model: joints at the base, prismatic joint, joints at the platform, and names of its bodies.
 
-    Attributes
-    ----------
-    crosses : tuple of tuple of str
-        Bodies between the joints at the base, and at the platform.
+    crosses: bodies between the joints at the base, and between the joints at the platform.
     """
 
     base: tuple[Step, ...]
@@ -50,18 +47,8 @@ class Leg:
 class Machine:
     """Rigid bodies of a model by name, its platform, and six legs.
 
-    Attributes
-    ----------
-    placed : mapping
-        All bodies of the model.
-    bodies : mapping
-        Rigid bodies, each with the name and the frame of its main member.
-    members : mapping
-        Name of the rigid body by the name of each member.
-    platform : str
-        Name of the platform, the main body of its members.
-    legs : tuple of Leg
-        Six legs.
+    ``placed`` contains all bodies, and ``bodies`` the rigid bodies, each with the name and frame of its main
+    member. ``members`` maps the name of each member to the name of its rigid body.
     """
 
     placed: Mapping[str, Body]

@@ -27,21 +27,20 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
         sys.stdout.writelines(map(str, chunks))
         return
     data = (each.encode() if isinstance(each, str) else each for each in chunks)
-    if path.exists() and not path.is_file():
-        with open(path, "wb") as stream:
-            stream.writelines(data)
-        return
     target = path.resolve()
-    target.parent.mkdir(parents=True, exist_ok=True)
-    place = target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
+    is_device = path.exists() and not path.is_file()
+    place = path if is_device else target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
     try:
-        with open(place, "xb") as stream:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with open(place, "wb" if is_device else "xb") as stream:
             stream.writelines(data)
-        os.replace(place, target)
+        if not is_device:
+            os.replace(place, target)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
     finally:
-        place.unlink(missing_ok=True)
+        if not is_device:
+            place.unlink(missing_ok=True)
 
 
 def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: Iterable[Path] = ()) -> None:

@@ -38,6 +38,15 @@ def read_text(source: str, what: str) -> str:
             raise ValueError(f"{source}: {text}") from None
 
 
+_KINDS = {
+    "robot file": {"base", "platform"},
+    "scene of simulate": {"actuation", "state"},
+    "scene of choose-fidelity": {"motions"},
+    "file of via poses": {"via", "via_file"},
+}
+"""Keys that only one kind of file has."""
+
+
 @contextlib.contextmanager
 def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
     """Read the tables of a TOML file; ``what`` is its kind in messages.
@@ -49,8 +58,9 @@ def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
         top = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
-    if what != "robot file" and {"base", "platform"} <= top.keys():
-        raise ValueError(f"{source}: expected a {what}, got a robot file")
+    kinds = [kind for kind, keys in _KINDS.items() if not keys.isdisjoint(top)]
+    if what != "robot file" and kinds and what not in kinds:
+        raise ValueError(f"{source}: expected a {what}, got a {kinds[0]}")
     if what == "robot file" and "robot" in top:
         named = shown(top["robot"])
         raise ValueError(f"{source}: expected a robot file, got a file that names one; use {named}")

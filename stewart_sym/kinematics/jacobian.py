@@ -36,6 +36,12 @@ def inverse_jacobian(robot: Robot, motion: Motion) -> Array:
     jacobian : Matrix that maps leg rates to the twist.
     wrench_matrix : H, which maps leg forces to the wrench on the platform.
 
+    Notes
+    -----
+    If the upper parts of the legs turn on screws (``platform_joint = "universal"`` and a drive with a lead),
+    H includes the turn of the nuts. H^T [v; omega] are then the motor rates divided by the transmission
+    ratio N, not L_dot; ``inverse_kinematics`` returns L_dot.
+
     Examples
     --------
     >>> import numpy as np
@@ -77,6 +83,12 @@ def jacobian(robot: Robot, motion: Motion) -> Array:
     --------
     inverse_jacobian : Matrix that maps the twist to leg rates.
     forward_velocity : Compute the twist from measured leg rates.
+
+    Notes
+    -----
+    If the upper parts of the legs turn on screws (``platform_joint = "universal"`` and a drive with a lead),
+    H includes the turn of the nuts. H^T [v; omega] are then the motor rates divided by the transmission
+    ratio N, not L_dot; ``forward_velocity`` computes the twist from L_dot.
 
     Examples
     --------

@@ -1,12 +1,12 @@
 """Arrangement of the legs: legs that cross, legs in a wrong order, and machines singular at any height."""
 
-import itertools
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
+from ..kinematics.clearance import PAIRS, nearest_shares
 from ..kinematics.mounting_side import level_positions
 from ..robot.robot import LEGS, Robot
 from .finding import Finding, finding
@@ -20,6 +20,11 @@ EXCHANGED = -0.5
 The differences are projected along the machine axis and divided by both radii. The product is negative if the
 legs cross. In sound machines it is not below this value.
 """
+MEETING, INNER = 0.01, 0.1
+"""Largest distance of center lines that meet, over the mean leg length, and margin at both ends of the legs.
+
+Legs of machines are thicker. Near their joints, inclined legs of sound machines may come as close.
+"""
 MOST_CONDITION = 1e3
 
 
@@ -32,7 +37,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
     axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
     axis /= np.linalg.norm(axis)
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
-    crossed = _crossed(around_b, around_p)
+    crossed = _crossed(around_b, around_p) or _meeting(robot, t)
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], level_positions(robot, axis, HEIGHTS)
     turned = np.sum(around_p * np.conj(around_b))
@@ -48,7 +53,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
             "legs, or similar hexagons (expected pairs of base points above gaps of the platform points)"
         )
         yield finding("condition", f"{found} with the platform parallel to the base, at any height", cause)
-    elif crossed is not None:
+    elif crossed:
         cause = (
             "their platform points exchanged, platform points in another order than base points, or mirrored"
         )
@@ -76,11 +81,23 @@ def _better_order(b: Array, p: Array, heights: Array, twisted: bool) -> Finding 
 
 def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[int, int] | None:
     """Return the legs that cross most, seen along the machine axis in the complex plane, or None."""
-    pairs = list(itertools.combinations(range(LEGS), 2))
-    first, second = np.array(pairs).T
+    first, second = np.array(PAIRS).T
     sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
     products = ((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes
-    return pairs[int(np.argmin(products))] if products.min() < EXCHANGED else None
+    return PAIRS[int(np.argmin(products))] if products.min() < EXCHANGED else None
+
+
+def _meeting(robot: Robot, t: Array) -> tuple[int, int] | None:
+    """Return the legs whose center lines meet between their joints at t (m), or None."""
+    S = robot.p + t - robot.b
+    first, second = np.array(PAIRS).T
+    apart = robot.b[first] - robot.b[second]
+    x, y = nearest_shares(apart, S[first], S[second])
+    distance = np.linalg.norm(apart + x[:, None] * S[first] - y[:, None] * S[second], axis=-1)
+    inner = (np.minimum(x, y) > INNER) & (np.maximum(x, y) < 1.0 - INNER)
+    closest = int(np.argmin(np.where(inner, distance, np.inf)))
+    limit = MEETING * np.mean(np.linalg.norm(S, axis=-1))
+    return PAIRS[closest] if inner[closest] and distance[closest] < limit else None
 
 
 def _around(points: Array, axis: Array) -> NDArray[np.complex128]:

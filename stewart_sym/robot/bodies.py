@@ -1,7 +1,7 @@
 """Bodies given by their inertia or as plain shapes: mass, center of mass, and inertia about it."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -59,36 +59,28 @@ def body(value: object, where: str, meters: Meters, along: float | None) -> dict
     return _one(value, f"{where}.", meters, along, False)
 
 
-def low_densities(table: Mapping[str, Any], prefix: str = "") -> dict[str, float]:
+def low_densities(tables: Mapping[str, Any]) -> dict[str, float]:
     """Return implausibly low densities (kg/m^3) by their keys in the checked tables of a robot file."""
-    found: dict[str, float] = {}
-    for key, value in table.items():
-        where, parts = prefix + key, value if isinstance(value, list | tuple) else ()
-        if isinstance(value, Mapping):
-            found |= low_densities(value, f"{where}.")
-        elif (
-            key == "density"
-            and value < LEAST_DENSITY["platform" if prefix.startswith("platform") else "legs"]
-        ):
-            found[where] = value
-        for i, part in enumerate(parts, 1):
-            found |= low_densities(part, f"{where} {i}: ") if isinstance(part, Mapping) else {}
-    return found
+    found = {where + "density": table["density"] for where, table, _ in _inner(tables) if "density" in table}
+    least = {where: LEAST_DENSITY["platform" if where.startswith("platform") else "legs"] for where in found}
+    return {where: value for where, value in found.items() if value < least[where]}
 
 
-def inertias_of_parts(table: Mapping[str, Any], prefix: str = "") -> dict[str, Array]:
+def inertias_of_parts(tables: Mapping[str, Any]) -> dict[str, Array]:
     """Return the inertia (kg m^2), (3, 3), of each part of the bodies that are lists, by its key."""
-    found: dict[str, Array] = {}
+    parts = ((where + "inertia", part) for where, part, number in _inner(tables) if number > 1)
+    return {where: _tensor(part["inertia"], where) for where, part in parts if "inertia" in part}
+
+
+def _inner(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Mapping[str, Any], int]]:
+    """Yield prefix, content, and number of members of the inner tables and of tables in lists."""
     for key, value in table.items():
-        where = prefix + key
-        if isinstance(value, Mapping):
-            found |= inertias_of_parts(value, f"{where}.")
-        for i, part in enumerate(value if isinstance(value, list | tuple) else (), 1):
-            if isinstance(part, Mapping) and "inertia" in part and len(value) > 1:
-                found[f"{where} {i}: inertia"] = _tensor(part["inertia"], where)
-            elif isinstance(part, Mapping):
-                found |= inertias_of_parts(part, f"{where} {i}: ")
-    return found
+        members = value if isinstance(value, list | tuple) else [value]
+        for i, part in enumerate(members, 1):
+            where = f"{prefix}{key}." if part is value else f"{prefix}{key} {i}: "
+            if isinstance(part, Mapping):
+                yield where, part, len(members)
+                yield from _inner(part, where)
 
 
 def joined(parts: list[Body]) -> Body:

@@ -24,29 +24,9 @@ _GRAVITY = 9.81
 class Draft:
     """Dimensions of a machine with pairs of joints around three axes 120 degrees apart.
 
-    Attributes
-    ----------
-    name : str
-        Name of the machine.
-    length_unit : {"m", "cm", "mm", "in"}
-        Unit of all lengths here and in the file.
-    base_radius, platform_radius : float
-        Radii of the joint circles.
-    base_angle, platform_angle : float
-        Angles between the joints of a pair (degrees), 0 to 120.
-    height : float
-        Height of the platform joints above the base joints at the home pose.
-    platform_mass, leg_mass : float
-        Masses (kg); the platform mass includes the payload.
-    stroke : float
-        Difference between the longest and the shortest leg, half on each side of the home pose.
-    z_down : bool
-        True if z points down.
-
-    Raises
-    ------
-    ValueError
-        If a number is invalid; the message names the number.
+    All lengths have the unit ``length_unit``, masses are in kg, and angles between the joints of a pair are
+    in degrees. The height is the distance of the platform joints above the base joints at the home pose. The
+    platform mass includes the payload. Half of the stroke is on each side of the home pose.
     """
 
     name: str

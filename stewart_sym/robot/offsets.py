@@ -115,7 +115,8 @@ def need_no_offsets(robot: Any) -> None:
     """Raise ValueError for a robot with offset joints, which the calling function does not support."""
     offsets = getattr(robot, "offsets", None)
     if offsets is not None and not offsets.is_zero:
-        raise ValueError("robot: offsets: expected none, offset joints are not supported here")
+        text = "expected none, because this function does not support offset joints"
+        raise ValueError(f"robot: offsets: {text}; delete offsets and cross of the legs to neglect them")
 
 
 # Tables of a robot file of schema 2

@@ -269,53 +269,6 @@ class Robot(Frozen):
         """
         return schema_2.tables_of(vars(self))
 
-    # Readable names of the paper's symbols.
-
-    @property
-    def platform_mass(self) -> float:
-        """Platform mass with payload (kg)."""
-        return self.M
-
-    @property
-    def platform_com(self) -> Array:
-        """Center of mass of the platform (m), platform frame, shape (3,)."""
-        return self.R_0
-
-    @property
-    def platform_inertia(self) -> Array:
-        """Inertia of the platform about its center of mass (kg m^2), platform frame, shape (3, 3)."""
-        return self.I_p
-
-    @property
-    def base_points(self) -> Array:
-        """Base points (m), base frame, shape (6, 3)."""
-        return self.b
-
-    @property
-    def platform_points(self) -> Array:
-        """Platform points (m), platform frame, shape (6, 3)."""
-        return self.p
-
-    @property
-    def universal_axes(self) -> Array:
-        """Unit fixed axes of the universal joints, base frame, shape (6, 3)."""
-        return self.k
-
-    @property
-    def lower_mass(self) -> Array:
-        """Masses of the lower parts (kg), shape (6,)."""
-        return self.m_d
-
-    @property
-    def upper_mass(self) -> Array:
-        """Masses of the upper parts (kg), shape (6,)."""
-        return self.m_u
-
-    @property
-    def gravity(self) -> Array:
-        """Gravity (m/s^2), base frame, shape (3,)."""
-        return self.g
-
     @property
     def reflected_mass(self) -> Array:
         """Reflected masses of the rotors (kg), J_r N^2, shape (6,); zero without a drive."""

@@ -259,7 +259,8 @@ class _Legs:
         return np.radians(found) if self.degrees else found
 
     def _about_home(self, value: object, where: str, length: float | None) -> Array:
-        stroke = self.meters(toml_reader.numbers(value, where, (2,)))
+        given = toml_reader.numbers(value, where, (2,))
+        stroke = self.meters(given)
         if stroke[0] >= stroke[1]:
             raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
         if length is None:
@@ -267,10 +268,9 @@ class _Legs:
         if np.isnan(length):
             raise ValueError(f"{where}: is about the length at the home pose, which the offsets cannot reach")
         if length + stroke[0] < 0.0:
-            raise ValueError(
-                f"{where}: expected a leg that is longer at home than it can retract, {length:g} m, "
-                f"got {-stroke[0]:g} m"
-            )
+            at_home = length / float(self.meters(np.float64(1.0)))
+            text = f"expected a leg that is longer at home, {at_home:.6g}, than it can retract"
+            raise ValueError(f"{where}: {text}, got {-given[0]:g}")
         return length + np.asarray(stroke)
 
 
@@ -406,7 +406,5 @@ def axis(value: object, where: str, b: Array, middle: Array, home: Array | None)
         along = home
     x, y, _ = along
     if x == y == 0.0:
-        raise ValueError(
-            f'{where}: "{name}" is no direction at {fields.vector_text(along)} m, expected a vector'
-        )
+        raise ValueError(f'{where}: "{name}" is no direction on the axis of the base, expected a vector')
     return fields.direction(np.array([x, y, 0.0] if name == "radial" else [-y, x, 0.0]), where)

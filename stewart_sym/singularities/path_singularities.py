@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -14,13 +15,19 @@ from ..backend.kernel import FORMULATIONS
 from ..calls.numpy_kernel import NumpyKernel
 from ..dynamics.inverse_dynamics import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array, Flags, Indices
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse_kinematics import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
+from ..kinematics.inverse_kinematics import (
+    ROUNDING,
+    joint_sines,
+    leg_vectors,
+    wrench_matrix,
+    wrench_matrix_rate,
+)
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
-from ..motion.rotation import cross
-from ..robot.robot import Robot
+from ..motion.rotation import cross, vector_from_rotation
+from ..robot.robot import LEGS, Robot
 from .singular_poses import SingularityResult, last_directions, singularity
 
 # Search an interval unless the singular values at both ends exceed twice the possible change of H (Weyl).
@@ -33,10 +40,12 @@ _FLOOR = 1e-14
 _SHORT = 1e-9
 # Minima with a smaller relative depth are rounding errors.
 _SHALLOW = 1e-12
-# Accuracy of the time of a minimum relative to its interval: nearby values differ by its square.
-_LOCATED = 1e-8
+# Each grid divides the interval of a minimum by 8, at last to 1e-8: nearby values differ by its square.
+_GRID, _ZOOMS = 17, 9
 _INSTANTS = 512
 _CHUNK = 1 << 13
+# Number of samples whose distance from singular poses is bounded at once.
+_BLOCK = 16
 _DEGREE = 20
 # Relative size of the last Chebyshev coefficients at which a piece is resolved.
 _RESOLVED = 1e-11
@@ -169,8 +178,12 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     >>> [(round(item.time, 4), item.sign_before, item.sign_after) for item in crossings]
     [(3.6705, -1, 1)]
     """
+    times = _checked(robot, path, time)
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, time)).crossings
+        parts = [times[i : i + _CHUNK + 1] for i in range(0, len(times) - 1, _CHUNK)]
+        steps = np.concatenate([step_bounds(path(part), part) for part in parts], axis=-1)
+        near = times[near_singular(robot, steps, lambda samples: path(times[samples]))]
+        return _Search(robot, path, near).crossings if len(near) else ()
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
@@ -321,7 +334,6 @@ class _Search:
 
     def approaches(self) -> tuple[SingularityApproach, ...]:
         """Return the local minima of the smallest singular value that are not singular."""
-        from scipy.optimize import minimize_scalar
         from scipy.signal import find_peaks
 
         times = np.array([found.time for found in self.crossings])
@@ -329,20 +341,18 @@ class _Search:
         values = np.concatenate([self.samples.smallest, np.zeros(len(times))])[order]
         depths = -np.log(np.clip(values, np.finfo(np.float64).tiny, np.finfo(np.float64).max))
         _, peaks = find_peaks(depths, prominence=_SHALLOW, plateau_size=1)
-        found = []
+        intervals = []
         for left, right in zip(peaks["left_edges"], peaks["right_edges"], strict=True):
-            low, high = float(points[left - 1]), float(points[right + 1])
+            low, high = points[left - 1], points[right + 1]
             crossed = np.any((times > low) & (times < high))
             inside = any(start <= points[left] <= end for start, end in self.spans)
             if not crossed and not inside:
-                minimum = minimize_scalar(
-                    lambda time: self._look(np.array([time])).smallest[0],
-                    bounds=(low, high),
-                    method="bounded",
-                    options={"xatol": _LOCATED * (high - low)},
-                )
-                found.append(SingularityApproach(float(minimum.x), self.at(float(minimum.x))))
-        return tuple(found)
+                intervals.append((low, high))
+        found, _ = _minima(
+            lambda grid: self._look(grid.ravel()).smallest.reshape(grid.shape),
+            *np.array(intervals).reshape(-1, 2).T,
+        )
+        return tuple(SingularityApproach(time, self.at(time)) for time in found.tolist())
 
     def _inner_points(self, at_times: _Samples) -> Array:
         """Return points in the intervals in which the smallest singular value may vanish or turn."""
@@ -497,23 +507,62 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
 
 def extremes(function: Callable[[Array], Array], times: Array) -> tuple[Array, Array]:
     """Return the time (s) and the value of the minimum of each column of a function, shape (m,) each."""
-    from scipy.optimize import minimize_scalar
-
     points = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
     sampled, last = _in_chunks(function, points), len(points) - 1
-    index = np.argmin(sampled, axis=0)
+    index, columns = np.argmin(sampled, axis=0), np.arange(sampled.shape[1])
     time, value = points[index], sampled.min(axis=0)
-    for column, i in enumerate(index):
-        low, high = points[max(i - 1, 0)], points[min(i + 1, last)]
-        minimum = minimize_scalar(
-            lambda time, column=column: function(np.array([time]))[0, column],
-            bounds=(low, high),
-            method="bounded",
-            options={"xatol": _LOCATED * (high - low)},
-        )
-        if minimum.fun < value[column] - _SHALLOW * abs(value[column]):
-            time[column], value[column] = minimum.x, minimum.fun
-    return time, value
+
+    def own(grid: Array) -> Array:
+        return function(grid.ravel()).reshape(*grid.shape, -1)[:, columns, columns]
+
+    refined, least = _minima(own, points[np.maximum(index - 1, 0)], points[np.minimum(index + 1, last)])
+    better = least < value - _SHALLOW * np.abs(value)
+    return np.where(better, refined, time), np.where(better, least, value)
+
+
+def _minima(function: Callable[[Array], Array], low: Array, high: Array) -> tuple[Array, Array]:
+    """Return times (s) and values of the minima between times (m,) of a function of times (n, m).
+
+    Each call of the function evaluates a grid for all minima, because single times take much longer.
+    """
+    columns = np.arange(len(low))
+    for _ in range(_ZOOMS):
+        grid = np.linspace(low, high, _GRID)
+        values = function(grid)
+        least = np.argmin(values, axis=0)
+        low, high = (grid[np.clip(least + step, 0, _GRID - 1), columns] for step in (-1, 1))
+    return grid[least, columns], values[least, columns]
+
+
+def step_bounds(motion: Motion, time: Array) -> Array:
+    """Return bounds of the translation (m) and the rotation (rad) between n samples of a path, (2, n - 1)."""
+    speeds = np.linalg.norm([motion.v, motion.omega], axis=-1)
+    turns = vector_from_rotation(motion.R[1:] @ np.swapaxes(motion.R[:-1], -1, -2))
+    # The distances count as well, because samples may be at rest.
+    chords = np.linalg.norm([np.diff(motion.t, axis=0), turns], axis=-1)
+    return np.asarray(np.maximum(speeds[:, 1:], speeds[:, :-1]) * np.diff(time) + chords)
+
+
+def near_singular(robot: Robot, steps: Array, at: Callable[[Indices], Motion]) -> slice:
+    """Return the samples among which all singular poses of a path are.
+
+    The smallest singular value of H changes by at most the norm of the change of H, which the path length
+    from the middle of a block of samples bounds. ``steps`` are the bounds of ``step_bounds``, and ``at``
+    returns the motion at some samples.
+    """
+    count = steps.shape[1] + 1
+    starts = np.arange(0, count - 1, _BLOCK)
+    moved, turned = np.add.reduceat(steps, starts, axis=-1)
+    middles = at(np.minimum(starts + _BLOCK // 2, count - 1))
+    arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
+    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
+    tips = moved + arm * turned
+    with np.errstate(divide="ignore"):
+        direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
+    change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
+    H = moments_over(wrench_matrix(robot, middles), size)
+    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
+    return slice(starts[near[0]], starts[near[-1]] + _BLOCK + 1) if near.size else slice(0)
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

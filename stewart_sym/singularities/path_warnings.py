@@ -1,22 +1,17 @@
 """Warnings about singular poses on the path of a log, also between its rows, with unbounded forces."""
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from ..io.array_types import Array
-from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
 from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
 from ..motion.trajectory import Trajectory
-from ..robot.robot import LEGS, Robot
+from ..robot.robot import Robot
 from ..robot.units import Units
-from .path_singularities import singularity_crossings
+from .path_singularities import near_singular, singularity_crossings, step_bounds
 from .singular_poses import SingularityResult
-
-_BLOCK_ROWS = 16
 
 
 def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
@@ -45,31 +40,19 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
 
 
 def _near_singular_part(robot: Robot, log: Trajectory) -> slice:
-    """Return the rows among which all singular poses of a path are.
-
-    The smallest singular value of H changes by at most the norm of the change of H, which the path length
-    from the middle of a block of rows bounds.
-    """
-    count, time, motion = len(log.time), log.time, log.given_motion
-    if motion is not None:
-        speed, turning = (np.linalg.norm(rate, axis=-1) for rate in (motion.v, motion.omega))
+    """Return the rows among which all singular poses of a path are."""
+    if log.given_motion is not None:
+        steps = step_bounds(log.given_motion, log.time)
     else:
         assert log.coordinates is not None
-        turning = np.abs(log.coordinates[1, :, 3:]).sum(axis=-1)
-        speed = np.linalg.norm(log.coordinates[1, :, :3], axis=-1) + np.linalg.norm(robot.tool) * turning
-    starts = np.arange(0, count - 1, _BLOCK_ROWS)
-    paths = (np.maximum(rate[1:], rate[:-1]) * np.diff(time) for rate in (speed, turning))
-    moved, turned = (np.add.reduceat(path, starts) for path in paths)
-    middles = log.at(np.minimum(starts + _BLOCK_ROWS // 2, count - 1))
-    arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
-    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
-    tips = moved + arm * turned
-    with np.errstate(divide="ignore"):
-        direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
-    change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
-    H = moments_over(wrench_matrix(robot, middles), size)
-    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
-    return slice(starts[near[0]], starts[near[-1]] + _BLOCK_ROWS + 1) if near.size else slice(0)
+        places, rates, _ = log.coordinates
+        speeds, chords = (
+            np.stack([np.linalg.norm(each[:, :3], axis=-1), np.abs(each[:, 3:]).sum(axis=-1)])
+            for each in (rates, np.diff(places, axis=0))
+        )
+        steps = np.maximum(speeds[:, 1:], speeds[:, :-1]) * np.diff(log.time) + chords
+        steps[0] += np.linalg.norm(robot.tool) * steps[1]
+    return near_singular(robot, steps, log.at)
 
 
 def row_warning(robot: Robot, log: Trajectory, places: str = "lines") -> str | None:

@@ -23,6 +23,7 @@ from ..motion.rotation import quaternion_from_rotation
 from ..motion.sample_times import least_step, time_text
 from ..robot.offset_chains import chains
 from ..robot.robot import Robot
+from ..robot.units import Units
 from .motion_history import Event, LimitReport, MotionHistory
 
 # Drawn radius of a lower part and length of the axes, relative to the machine size; amplitude of a twist,
@@ -38,13 +39,11 @@ _WITHIN, _UPPER = 0.15, 0.93
 _QUANTILE, _PEAK = 0.9, 4.0
 # Number of displayed digits; lengths have one more.
 _DIGITS = 5
-# Size (m) below which machines are displayed in millimeters.
-_SMALL = 2.0
 
 
 def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str, Any]:
     """Return all data for the scripts of the page."""
-    scale, cut = _scale(shown)
+    (scale, cut), units = _scale(shown), Units.of(robot)
     columns = {
         "time": _column(shown.time, "f8"),
         "t": _column(shown.motion.t),
@@ -59,21 +58,15 @@ def content(robot: Robot, shown: MotionHistory, limits: LimitReport) -> dict[str
     }
     return {
         "machine": _machine(robot, shown),
-        "units": units(robot),
+        "units": {"length": 1.0 / units.meters, "lengthName": units.length},
         "forces": list(shown.forces),
         "motors": _motors(limits),
         "verdicts": {name: [*_runs(codes)] for name, codes in limits.codes.items() if codes.any()},
         "scale": scale,
         "cut": cut,
         "columns": columns,
-        "events": [_event(event, least_step(shown.time), units(robot)) for event in shown.events],
+        "events": [_event(event, least_step(shown.time), units) for event in shown.events],
     }
-
-
-def units(robot: Robot) -> dict[str, Any]:
-    """Return the unit of displayed lengths and its number per meter."""
-    small = _size(robot) < _SMALL
-    return {"length": 1e3 if small else 1.0, "lengthName": "mm" if small else "m"}
 
 
 def data_text(data: dict[str, Any]) -> str:
@@ -274,12 +267,12 @@ def _scale(shown: MotionHistory) -> tuple[float, float | None]:
     return most or 1.0, None
 
 
-def _event(event: Event, step: float, units: dict[str, Any]) -> dict[str, Any]:
-    at, length, unit = event.at, units["length"], units["lengthName"]
+def _event(event: Event, step: float, units: Units) -> dict[str, Any]:
+    at, pitch = event.at, float(event.at.screw_pitch) * units.radians / units.meters
     turns = bool(np.isfinite(at.screw_pitch))
     screw = (
-        f"rotation about {_triple(at.screw_axis)} through {_triple(length * at.screw_point)} {unit}, "
-        f"pitch {length * float(at.screw_pitch):.4g} {unit}/rad"
+        f"rotation about {_triple(at.screw_axis)} through {_triple(at.screw_point / units.meters)} "
+        f"{units.length}, pitch {pitch:.4g} {units.length}/{units.angle}"
         if turns
         else f"translation along {_triple(at.screw_axis)}"
     )

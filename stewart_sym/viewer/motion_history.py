@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..drives.limit_status import INCONCLUSIVE_NOISE, unknown_forces
 from ..drives.limits import (
@@ -19,12 +19,12 @@ from ..drives.limits import (
     limits_of,
     replaced_names,
     replaced_rows,
+    times_of,
 )
 from ..drives.motor_states import MotorStates, motor_states, of_motor_forces
 from ..drives.noise import Deviations, all_deviations, at_replaced
 from ..dynamics.force_noise import force_std
 from ..dynamics.inverse_dynamics import inverse_dynamics
-from ..io.arguments import real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse_kinematics import inverse_kinematics
@@ -57,18 +57,9 @@ _SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """Time that the time line marks.
+    """Time (s) that the time line marks, with its pose and singularity measures.
 
-    Attributes
-    ----------
-    time : float
-        Time (s).
-    motion : Motion
-        Pose at this time.
-    at : SingularityResult
-        Singularity measures.
-    singular : bool
-        True if H is singular; False for the largest condition number of the motion.
+    singular: False for the largest condition number of a motion without singular poses.
     """
 
     time: float
@@ -79,18 +70,10 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Effects of the noise of a log at n samples.
+    """Effects of the noise of a log at n samples, with a description in ``text``.
 
-    Attributes
-    ----------
-    text : str
-        Description of the noise and its treatment.
-    sd : Deviations
-        Standard deviations, with forces F of the first formulation, and F_exact and F_paper by formulation.
-    there : ndarray of bool, shape (n,)
-        Flags of samples whose standard deviations include replaced rows.
-    replaced : tuple of Replaced
-        Replaced rows.
+    sd: standard deviations, with forces F of the first formulation, and F_exact and F_paper by formulation.
+    there: flags of samples, (n,), whose standard deviations include replaced rows.
     """
 
     text: str
@@ -136,23 +119,11 @@ class MotionHistory:
 
 @dataclass(frozen=True, eq=False)
 class LimitReport:
-    """Limits of a robot compared with its motion.
+    """Limits of a robot, if ``stated``, compared with its motion.
 
-    Attributes
-    ----------
-    stated : bool
-        True if the robot has limits.
-    told : tuple of tuple of str
-        Status and text of each limit that is exceeded or inconclusive, as in the subcommand ``forces``.
-    codes : dict of ndarray, shape (n, 6)
-        Indices of ``VERDICTS`` at each sample by quantity: F with its formulation, L, L_dot, and motor
-        torque, speed, current, and power.
-    F : ndarray, shape (n, 6)
-        Forces from which the motor quantities are computed (N).
-    motors : MotorStates, optional
-        Motor quantities of each sample; None without a drive.
-    tracker : LimitTracker
-        Status of the limits, and motor quantities of the whole motion.
+    ``told`` contains the status and text of each limit that is exceeded or inconclusive. ``codes`` contains
+    indices of ``VERDICTS`` at each sample, (n, 6): of F by formulation, of L, of L_dot, and of the motors.
+    The motor quantities are computed from the forces F (N), (n, 6).
     """
 
     stated: bool
@@ -194,16 +165,12 @@ def of_run(robot: Robot, run: StateHistory) -> MotionHistory:
     return _history(robot, "simulated run", run.time, run.motion, path, run.time, {"run": run.F})
 
 
-def of_motion(robot: Robot, motion: Motion, times: object, name: str = "motion") -> MotionHistory:
+def of_motion(robot: Robot, motion: Motion, times: ArrayLike | None, name: str = "motion") -> MotionHistory:
     """Return a motion of shape (n,) at increasing times (s), (n,); forces require accelerations."""
     motion = motion[None] if motion.shape == () else motion
     if times is None and motion.shape != (1,):
         raise ValueError("time: expected the times of the motion's poses (s), got none")
-    time = np.arange(1.0) if times is None else real_array(times, "time")
-    if time.shape != motion.shape or time.ndim != 1 or not len(time):
-        raise ValueError(f"time: expected the shape of the motion, {motion.shape}, (n,), got {time.shape}")
-    if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
-        raise ValueError("time: expected finite, increasing times")
+    time = times_of(motion, [0.0] if times is None else times)
     forces: Forces = {} if motion.a is None else None
     return _history(robot, name, time, motion, _path_of(time, motion), time, forces)
 

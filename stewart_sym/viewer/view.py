@@ -19,8 +19,9 @@ from ..motion.motion import Motion, at_rest
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
+from ..robot.units import Units
 from ..simulation.state_history import StateHistory
-from .content import content, data_text, limits_html, noise_html, parts_text, units
+from .content import content, data_text, limits_html, noise_html, parts_text
 from .motion_history import LimitReport, MotionHistory, limits, of_motion, of_path, of_run, of_trajectory
 from .page import document, filled, generator
 
@@ -55,14 +56,14 @@ class Viewer:
     @property
     def html(self) -> str:
         """Text of the HTML file."""
-        shown = units(self.robot)
+        units = Units.of(self.robot)
         body = filled(
             "viewer.html",
             {
                 "name": html.escape(safe_text(self.robot.name)),
                 "motion": html.escape(safe_text(self.history.name)),
-                "length": shown["lengthName"],
-                "moment": f"{(characteristic_length(self.robot) or 1.0) * shown['length']:.4g}",
+                "length": units.length,
+                "moment": f"{(characteristic_length(self.robot) or 1.0) / units.meters:.4g}",
                 "generator": html.escape(generator()),
                 "parts": parts_text(self.robot),
                 "noise": noise_html(self.history),

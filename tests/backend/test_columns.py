@@ -14,7 +14,7 @@ from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.calls import threads as on_threads
-from stewart_sym.calls.c_kernel import address, pointers
+from stewart_sym.calls.c_kernel import address, function, pointers
 from stewart_sym.dynamics.forces import ForceKernel, Precision
 from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.motion.motion import Motion
@@ -67,12 +67,30 @@ def columns(motion: Motion, dtype: Any, stride: int | None = None) -> list[Array
     return found
 
 
+def views(R: Array, *others: Array | None) -> list[Array | None]:
+    """Poses as rows, (n, 3, 3) and (n, 3), that share the memory of columns, (9, n) and (3, n)."""
+    count = R.shape[1]
+    turned = np.lib.stride_tricks.as_strided(
+        R, (count, 3, 3), (R.strides[1], 3 * R.strides[0], R.strides[0]), writeable=False
+    )
+    return [turned, *(None if each is None else each.T for each in others)]
+
+
+def forces_of(kernel: ForceKernel, arrays: list[Array], threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
+    """Forces of columns in columns like theirs, (6, n), NaN where a pose has no solution, and statuses."""
+    R, count = arrays[0], arrays[0].shape[1]
+    stride = max(count, R.strides[0] // R.itemsize)
+    F = np.full((6, stride), np.nan, dtype=kernel.dtype)[:, :count]
+    status = np.zeros(count, dtype=np.int32)
+    kernel.forces(views(*arrays), threads, out=(F.T, status))
+    return F, status
+
+
 def check(kernel: ForceKernel, motion: Motion, stride: int | None = None, threads: int = 1) -> None:
     """The columns' bits and statuses are those of the ordinary batch."""
     with np.errstate(over="ignore"):
         F, status = kernel.forces_and_status(motion)
-    found, codes = kernel.forces_soa(*columns(motion, kernel.dtype, stride), threads=threads)
-    assert found.shape == (6, len(status))
+    found, codes = forces_of(kernel, columns(motion, kernel.dtype, stride), threads)
     assert (codes == status).all()
     assert np.ascontiguousarray(found.T).tobytes() == F.tobytes()
 
@@ -110,9 +128,9 @@ def test_threads_and_parts_of_longer_arrays_change_no_bit(
     motion, kernel = with_faults(rng, robot, 203), ss.ForceKernel(robot)
     check(kernel, motion, threads=threads)
     whole = columns(motion, np.float64)
-    F, status = kernel.forces_soa(*whole)
-    part, codes = kernel.forces_soa(*(array[:, 5:97] for array in whole))
-    assert part.tobytes() == np.ascontiguousarray(F[:, 5:97]).tobytes()
+    F, status = forces_of(kernel, whole)
+    part, codes = forces_of(kernel, [array[:, 5:97] for array in whole])
+    assert np.ascontiguousarray(part).tobytes() == np.ascontiguousarray(F[:, 5:97]).tobytes()
     assert (codes == status[5:97]).all()
 
 
@@ -124,7 +142,7 @@ def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
     unloaded = Motion._unchecked(**{name: getattr(motion, name) for name in FIELDS if name not in LOADS})
     expected, wanted = kernel.forces_and_status(unloaded)
     F, status = np.full((6, 24), 7.5), np.full(19, -1, dtype=np.int32)
-    kernel.forces_soa(*arrays, out=(F[:, :19], status))
+    kernel.forces(views(*arrays), out=(F[:, :19].T, status))
     assert (status == wanted).all()
     assert status.any()
     assert (F[:, :19][:, status == 0] == expected[status == 0].T).all()
@@ -132,34 +150,22 @@ def test_no_load_is_none_and_unsolvable_poses_keep_what_they_had() -> None:
     assert (F[:, 19:] == 7.5).all()
 
 
-def test_matrices_lists_and_mixed_layouts_are_taken_as_well() -> None:
-    rng = np.random.default_rng(165)
-    robot = random_robot(rng)
-    kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (11,))
-    arrays = columns(motion, np.float64)
-    F, _ = kernel.forces_soa(*arrays)
-    mixed = [arrays[0].reshape(3, 3, 11), np.asfortranarray(arrays[1]), arrays[2].tolist(), *arrays[3:]]
-    assert (kernel.forces_soa(*mixed)[0] == F).all()
-
-
 def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
     rng = np.random.default_rng(166)
     robot = random_robot(rng)
     kernel, motion = ss.ForceKernel(robot), random_motion(rng, robot, (4,))
     arrays = columns(motion, np.float64)
-    for bad in (arrays[1].T, arrays[1][:-1], arrays[1][:, 0], "forces", None, 1j * arrays[1]):
-        with pytest.raises(ValueError, match=r"^t: expected .*, got .*\Z"):
-            kernel.forces_soa(arrays[0], bad, *arrays[2:])
     F, status = np.zeros((6, 4)), np.zeros(4, dtype=np.int32)
     frozen, room = np.zeros((6, 4)), np.zeros((9, 4))
     frozen.setflags(write=False)
     moved = np.zeros(3 * 4 * 8 + 1, dtype=np.uint8)[1:].view(np.float64).reshape(3, 4)
     bad_ones: list[tuple[str, Any]] = [
         ("t: expected ", ([arrays[0], np.zeros((3, 8))[:, :4], *arrays[2:]], F, status)),
+        ("t: expected ", ([arrays[0], arrays[1].T.copy().T, *arrays[2:]], F, status)),
+        ("t: expected ", ([arrays[0], None, *arrays[2:]], F, status)),
         ("t: expected an aligned array", ([arrays[0], moved, *arrays[2:]], F, status)),
-        ("R: expected .* rows 32 bytes apart", ([room.T.copy().T, *arrays[1:]], F, status)),
         ("a: expected ", ([*arrays[:5], arrays[5].astype(np.float32), *arrays[6:]], F, status)),
-        ("F: expected ", (arrays, F.T, status)),
+        ("F: expected .*, columns 4 numbers apart", (arrays, F.T.copy().T, status)),
         ("F: expected ", (arrays, frozen, status)),
         ("F: expected separate memory, got memory of R", ([room, *arrays[1:]], room[:6], status)),
         (
@@ -168,14 +174,14 @@ def test_arrays_that_do_not_fit_are_named_in_one_line() -> None:
         ),
         (r"status: expected an aligned array \(4,\) ", (arrays, F, status[:3])),
     ]
-    for said, (given, *out) in bad_ones:
-        rejects(rf"^{said}.*\Z", kernel.forces_soa, *given, out=tuple(out))
-    rejects(r"^threads: expected .*\Z", kernel.forces_soa, *arrays, threads=0, out=(F, status))
+    for said, (given, to, codes) in bad_ones:
+        rejects(rf"^{said}.*\Z", kernel.forces, views(*given), out=(to.T, codes))
+    rejects(r"^threads: expected .*\Z", kernel.forces, views(*arrays), 0, out=(F.T, status))
     # Interleaved rows share no memory.
     halves = np.hstack([arrays[0], np.zeros((9, 4))])
     others = [np.hstack([array, array])[:, :4] for array in arrays[1:]]
-    kernel.forces_soa(halves[:, :4], *others, out=(halves[:6, 4:], status))
-    assert (halves[:6, 4:] == kernel.forces_soa(*arrays)[0]).all()
+    kernel.forces(views(halves[:, :4], *others), out=(halves[:6, 4:].T, status))
+    assert (halves[:6, 4:] == forces_of(kernel, arrays)[0]).all()
 
 
 def test_c_rejects_null_and_strides_below_the_count() -> None:
@@ -185,7 +191,7 @@ def test_c_rejects_null_and_strides_below_the_count() -> None:
     arrays, F = columns(motion, np.float64), np.zeros((6, 3))
 
     def code(count: int, stride: int, given: list[Any]) -> int:
-        call = kernel.c_function("forces_columns")
+        call = function(kernel.name, "forces_columns", "_forces")
         sizes = ctypes.c_size_t(count), ctypes.c_size_t(stride)
         return int(call(address(kernel.model), *sizes, pointers(given), address(F), None))
 

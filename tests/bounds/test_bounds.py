@@ -21,8 +21,8 @@ from unsolvable_poses import singular
 import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION
+from stewart_sym.calls import c_kernel, threads
 from stewart_sym.calls.c_kernel import address, c_sources, function, prepared_model
-from stewart_sym.dynamics import force_error_bounds
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR
 
 FAR = 1000.0
@@ -83,6 +83,15 @@ def test_forces_of_any_shape_are_those_of_the_prepared_kernel_to_the_last_bit(pr
     assert ss.force_error_bounds(robot, motion[:0]).bound.shape == (0, 3, 6)
 
 
+def test_parts_of_a_batch_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
+    robot, motion = machine_in_motion(12, (4, 5))
+    whole = ss.force_error_bounds(robot, motion, "float")
+    monkeypatch.setattr(threads, "LARGEST_PART", threads.LANES)
+    found = ss.force_error_bounds(robot, motion, "float")
+    for name, values in vars(whole).items():
+        np.testing.assert_array_equal(getattr(found, name), values)
+
+
 @pytest.mark.full
 @pytest.mark.slow
 def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -90,7 +99,7 @@ def test_bound_holds_where_products_are_fused_into_sums(monkeypatch: pytest.Monk
     flags = ("-O1", "-ffp-contract=fast")
     fused = native.load("fused", c_sources("exact_bounds"), [*flags, "-DSTEWART_FLOAT"])
     monkeypatch.setattr(
-        force_error_bounds, "function", lambda *names: getattr(fused, f"stewart_{names[0]}_{names[-1]}")
+        c_kernel, "function", lambda name, suffix, *_: getattr(fused, f"stewart_{name}_{suffix}")
     )
     rng = np.random.default_rng(1)
     for number in range(12):

@@ -1,5 +1,6 @@
 """The command line: every subcommand does its job; what goes wrong is one line and leaves nothing behind."""
 
+import os
 import re
 import subprocess
 import sys
@@ -12,6 +13,8 @@ from command_line import Fails, Run, folder_state, read
 from kits import few_vectors
 
 from stewart_sym.cli import main as cli
+
+EXAMPLES = Path(__file__).parents[2] / ".docs/examples"
 
 # reproduce
 
@@ -51,6 +54,62 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(robot: Pa
     warnings = captured.err.splitlines()
     assert len(warnings) == 3
     assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
+
+
+@pytest.mark.parametrize(
+    "words", [("generate", "-o", "kit"), ("singularities", "III"), ("workspace", "--min-clearance", "0.01")]
+)
+def test_a_subcommand_without_offset_joints_says_so_with_a_remedy(
+    words: tuple[str, ...], fails: Fails, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    robot = tmp_path / "robot.toml"
+    robot.write_text((EXAMPLES / "offset-joints.toml").read_text())
+    line = fails(words[0], robot, *words[1:])
+    assert line.startswith(
+        f"stewart-sym: error: {robot}: offsets: expected none, because {words[0]} does not"
+    )
+    assert line.endswith("; delete offsets and cross of the legs to neglect them")
+
+
+@pytest.mark.parametrize(
+    ("subcommand", "name", "words"),
+    [
+        ("simulate", "via.toml", "expected a scene of simulate, got a file of via poses"),
+        ("simulate", "enough.toml", "expected a scene of simulate, got a scene of choose-fidelity"),
+        ("plan", "swing.toml", "expected a file of via poses, got a scene of simulate"),
+        ("choose-fidelity", "hexapod.toml", "expected a scene of choose-fidelity, got a robot file"),
+    ],
+)
+def test_a_file_for_another_subcommand_is_named(subcommand: str, name: str, words: str, fails: Fails) -> None:
+    output = () if subcommand == "choose-fidelity" else ("-o", "out")
+    assert fails(subcommand, EXAMPLES / name, *output).endswith(f"{name}: {words}")
+
+
+def test_a_closed_pipe_ends_quietly_with_the_code_of_its_signal(robot: Path) -> None:
+    command = [sys.executable, "-u", "-m", "stewart_sym", "check", str(robot)]
+    reading, writing = os.pipe()
+    os.close(reading)
+    with open(writing, "w") as pipe:
+        done = subprocess.run(command, stdout=pipe, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 141
+    assert "error" not in done.stderr
+
+
+def test_a_full_device_is_named(trajectory: Path, fails: Fails) -> None:
+    assert fails("convert", trajectory, "-o", "/dev/full").endswith(": /dev/full: No space left on device")
+
+
+def test_view_reads_the_folder_of_a_plan_and_names_what_it_expects(
+    robot: Path, trajectory: Path, run: Run, fails: Fails, tmp_path: Path
+) -> None:
+    folder = tmp_path / "plan"
+    folder.mkdir()
+    line = fails("view", robot, folder, "-o", tmp_path / "page.html")
+    assert line.endswith("plan: expected I, II, III, a CSV file, or a folder with run.csv or trajectory.csv")
+    trajectory.rename(folder / "trajectory.csv")
+    run("view", robot, folder, "-o", tmp_path / "page.html")
+    assert (tmp_path / "page.html").exists()
 
 
 def test_bad_robot_files_are_rejected_by_all_subcommands(robot: Path, trajectory: Path, fails: Fails) -> None:

@@ -112,11 +112,12 @@ def test_exchanged_files_are_named_and_remedies_are_options(
     assert line.endswith("no column theta_z; name it with --columns theta_z=HEADER; other columns: turn")
 
 
-@pytest.mark.slow
-def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
-    command = f"'{sys.executable}' -W ignore -m stewart_sym check '{robot}' | true"
-    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
-    assert done.stderr == ""
+def test_units_that_contradict_the_header_are_named_as_options(
+    robot: Path, trajectory: Path, run: Run
+) -> None:
+    trajectory.write_text(trajectory.read_text().replace("t_x", "t_x [cm]", 1))
+    told = run("forces", robot, trajectory, "-o", robot.parent / "f.csv", "--length-unit", "m").err
+    assert "the header unit cm contradicts --length-unit m, which is used; correct one of them" in told
 
 
 def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajectory: Path, run: Run) -> None:
@@ -143,6 +144,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     assert results(folder) == names
     text = (folder / "report.txt").read_text()
     assert told.startswith(text)
+    assert text.startswith("verdict    the path crosses a singular pose, first at 3.670504")
     assert "Crossing 1 at 3.670504110" in text
     (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
     assert (crossing["sign_before"], crossing["sign_after"]) == (-1, 1)

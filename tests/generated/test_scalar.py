@@ -14,6 +14,7 @@ from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.calls.c_kernel import function
 from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, OK, SINGULAR, ZERO_LENGTH
@@ -162,7 +163,7 @@ def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: 
     call = getattr(kernel.library, f"{kernel.prefix}_prepare")
     numbers = robot_numbers(robot)
     model = np.full(1000, UNTOUCHED)
-    lanes = ss.ForceKernel(robot, fidelity=level).c_function("prepare")
+    lanes = function(ss.ForceKernel(robot, fidelity=level).name, "prepare", "_forces")
     other, rejected = np.full(5000, UNTOUCHED), 0
     for where in range(numbers.size):
         for value in (np.nan, np.inf, 1e308):

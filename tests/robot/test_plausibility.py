@@ -50,6 +50,23 @@ def test_published_machines_are_not_doubted(limited: bool) -> None:
             assert find_implausible(machine_of(rng, *points, joint, limited)) == [], name
 
 
+@pytest.mark.parametrize(("name", "leg"), [("mathworks2002", 0), ("tsai2000", 2), ("unal", 5)])
+@pytest.mark.parametrize("points", ["b", "p"])
+def test_center_lines_of_legs_that_meet_are_doubted(name: str, leg: int, points: str) -> None:
+    # Points of neighbors exchanged: seen along the machine axis, the legs cross less than the threshold.
+    robot, order = ss.robots.load(name), np.arange(6)
+    order[[leg, (leg + 1) % 6]] = (leg + 1) % 6, leg
+    (said,) = find_implausible(dataclasses.replace(robot, **{points: getattr(robot, points)[order]}))
+    first, second = sorted((leg + 1, (leg + 1) % 6 + 1))
+    assert said.name == "crossing"
+    assert said.text.startswith(f"legs {first}, {second} cross at the home pose; likely cause: ")
+
+
+@pytest.mark.parametrize("name", ss.robots.NAMES)
+def test_no_robot_of_the_package_is_doubted(name: str) -> None:
+    assert find_implausible(ss.robots.load(name)) == []
+
+
 # Without limits nothing says where the machine stands and what it carries.
 BY_LIMITS = {"home of another point"}
 BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("-limit") or "limits" in name}

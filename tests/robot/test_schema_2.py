@@ -196,7 +196,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (
         "[-150, 150]",
         "[-1500, 150]",
-        "legs.stroke: expected a leg that is longer at home than it can retract, ",
+        "legs.stroke: expected a leg that is longer at home, 772.479, than it can retract, got 1500",
         "stroke",
     ),
     (

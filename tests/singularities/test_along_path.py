@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 from unsolvable_poses import hexagons
 
 import stewart_sym as ss
+from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.singularities.path_warnings import crossing_warning
 
 Path = Callable[[Array], ss.Motion]
 E = np.eye(3)
@@ -141,6 +143,16 @@ def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, d
         least = float(ss.singularity(robot, path(np.zeros(1))[0]).smallest_singular_value)
         assert float(approach.singularity.smallest_singular_value) == pytest.approx(least, rel=1e-6)
         assert float(approach.singularity.determinant) > 0.0
+
+
+@pytest.mark.parametrize("count", [3, 200])
+def test_a_log_of_poses_at_rest_is_warned_of_the_crossing_between_its_rows(count: int) -> None:
+    path, _ = ss.PAPER_PATHS["III"]
+    time = np.linspace(0.0, path.tau_f, count)
+    poses, none = path.sample(time), np.zeros(3)
+    rest = ss.Motion(R=poses.R, t=poses.t, omega=none, v=none, alpha=none, a=none)
+    log = Trajectory(time, rest, "poses.csv", tuple(range(count)))
+    assert "crosses a singular pose" in (crossing_warning(dasgupta(), log) or "")
 
 
 def test_minima_of_random_paths_are_those_of_dense_samples() -> None:

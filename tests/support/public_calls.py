@@ -168,7 +168,6 @@ def calls() -> dict[str, Call]:
     add(ss.singularity_crossings, robot=robot, path=path.sample, time=[0.0, 1.0])
     add(ss.path_singularities, robot=robot, path=path.sample, time=[0.0, 1.0])
     add(ss.singular_force_residue, **both, formulation="exact")
-    add(ss.damped_least_squares, H=H, c=np.ones(6), length=1.0, rcond=1e-4)
     add(ss.certify_pose, robot=robot, L=legs.L, pose=(motion.R, motion.t))
     add(ss.joint_angles, robot=at_home, motion=motion)
     add(ss.leg_distances, **both)

@@ -136,8 +136,8 @@ def test_values_are_shown_under_the_pointer_and_the_curve_sets_the_clock(opened:
     assert lines[0] == "3.000 s"
     robot = dasgupta()
     found = ss.view(robot, "III").history
-    shown = [float(re.findall(r"\u2002([\d.]+) mm", line)[0]) for line in lines[1:]]
-    assert np.allclose(shown, 1e3 * found.L[300], rtol=1e-5)
+    shown = [float(re.findall(r"\u2002([\d.]+) m", line)[0]) for line in lines[1:]]
+    assert np.allclose(shown, found.L[300], rtol=1e-5)
     opened.page.mouse.down()
     opened.page.mouse.up()
     assert index(opened) == 300

@@ -61,7 +61,8 @@ def run(arguments: Arguments) -> None:
 def _asked(name: str, question: str) -> float:
     """Read a number > 0 from the terminal."""
     if not sys.stdin.isatty():
-        raise ValueError(f"{name}: missing; standard input is not a terminal")
+        options = ", ".join(f"--{each.replace('_', '-')}" for each in _NUMBERS)
+        raise ValueError(f"{name}: missing; without a terminal, {options} are required")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)
         line = sys.stdin.readline()

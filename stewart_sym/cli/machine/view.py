@@ -1,6 +1,6 @@
 """Show a machine in motion as one HTML file.
 
-MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the results of `simulate`.
+MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the folder of `simulate` or `plan`.
 The default is the home pose.
 Without -o, the file is opened in a browser.
 Limits of legs and motors are compared as in `forces`.
@@ -23,13 +23,13 @@ from ...viewer.page import BEGINNING
 from ..command import Arguments, Parser, results
 from ..inputs import robot_of, trajectory_of
 
-_RUN = "run.csv"
+_FILES = ("run.csv", "trajectory.csv")
 _DEFAULT = Path("machine.html")
 
 
 def add_arguments(parser: Parser) -> None:
     parser.file("robot", nargs="?")
-    text = "I, II, III, a CSV file, or the folder of a simulation"
+    text = "I, II, III, a CSV file, or the folder of a simulation or plan"
     parser.add_argument("motion", metavar="MOTION", nargs="?", help=text)
     parser.flag("example", "show the robot of the paper on its Path I")
     parser.log()
@@ -57,9 +57,10 @@ def _viewer(robot: ss.Robot, arguments: Arguments, progress: Progress) -> ss.Vie
     name = "I" if arguments.example else arguments.motion
     if name is None or name in ss.PAPER_PATHS:
         return ss.view(robot, name)
-    path = Path(name, _RUN) if Path(name).is_dir() else Path(name)
-    if not path.exists():
-        raise ValueError(f"{path}: no such file; expected I, II, III, a CSV file, or a folder with {_RUN}")
+    path = next((file for each in _FILES if (file := Path(name, each)).exists()), Path(name))
+    if path.is_dir() or not path.exists():
+        expected = f"I, II, III, a CSV file, or a folder with {' or '.join(_FILES)}"
+        raise ValueError(f"{path}: expected {expected}")
     if is_run_file(path):
         progress("reading the run")
         return ss.view(robot, read_run(robot, path))

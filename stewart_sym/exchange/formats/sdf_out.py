@@ -5,13 +5,14 @@ Gazebo closes loops with joints, which Drake rejects; Drake has its own constrai
 
 import json
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
 
 import numpy as np
 
 from ...io.array_types import Array
 from ...motion.rotation import rpy_from_rotation
-from ..model import WORLD, Body, Joint, Model, Shape
-from .xml_text import NO_LIMIT, TENSOR, added, document
+from ..model import WORLD, Body, Joint, Model
+from .xml_text import NO_LIMIT, TENSOR, Leaf, added, document, leaves
 
 SPACE = "urn:stewart-sym"
 """XML namespace of contents that the format cannot represent."""
@@ -24,18 +25,8 @@ _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "univer
 _PLUGIN = {"filename": "gz-sim-apply-joint-force-system", "name": "gz::sim::systems::ApplyJointForce"}
 
 
-def written(model: Model) -> tuple[str, None]:
-    """Write the file for Gazebo."""
-    return _document(model, False), None
-
-
-def written_for_drake(model: Model) -> tuple[str, None]:
-    """Write the file for Drake."""
-    return _document(model, True), None
-
-
-def _document(model: Model, drake: bool) -> str:
-    """Return the content of the file."""
+def written(model: Model, drake: bool = False) -> tuple[str, None]:
+    """Return the content of the file for Gazebo, or for Drake."""
     root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": SPACE})
     if drake:
         root.set("xmlns:drake", DRAKE)
@@ -45,7 +36,7 @@ def _document(model: Model, drake: bool) -> str:
     added(light, "direction", "0.2 0.3 -1")
     inside = added(world, "model", name=_allowed(model.name))
     base = added(inside, "link", name="base")
-    _shapes(base, model.body(WORLD))
+    add_shapes(base, model.body(WORLD), leaves, _pose, _material)
     fixed = added(inside, "joint", name="fixed_base", type="fixed")
     added(fixed, "parent", "world")
     added(fixed, "child", "base")
@@ -59,20 +50,16 @@ def _document(model: Model, drake: bool) -> str:
             _joint(inside, model, joint, drake)
     for joint in model.joints:
         if joint.driven and not drake:
-            plugin = added(inside, "plugin", **_PLUGIN)
-            added(plugin, "joint_name", joint.name)
+            added(added(inside, "plugin", **_PLUGIN), "joint_name", joint.name)
     if model.note:
         added(inside, NOTE, json.dumps(model.note))
-    return document(root)
+    return document(root), None
 
 
 def _ball(parent: ET.Element, joint: Joint) -> None:
     """Write a closure as a ball constraint of Drake."""
-    ball = added(parent, BALL)
-    added(ball, f"{BALL}_body_A", joint.parent)
-    added(ball, f"{BALL}_p_AP", joint.parent_point)
-    added(ball, f"{BALL}_body_B", joint.child)
-    added(ball, f"{BALL}_p_BQ", joint.point)
+    ends = {"body_A": joint.parent, "p_AP": joint.parent_point, "body_B": joint.child, "p_BQ": joint.point}
+    leaves(parent, BALL, **{f"{BALL}_{key}": value for key, value in ends.items()})
 
 
 def _allowed(name: str) -> str:
@@ -84,19 +71,42 @@ def _allowed(name: str) -> str:
 def _link(parent: ET.Element, body: Body) -> None:
     """Add a link."""
     link = added(parent, "link", name=body.name)
-    added(link, "pose", _pose(body.t, body.R))
+    _pose(link, body.t, body.R)
     inertial = added(link, "inertial")
-    added(inertial, "pose", _pose(body.center, np.eye(3)))
+    _pose(inertial, body.center, np.eye(3))
     added(inertial, "mass", body.mass)
-    inertia = added(inertial, "inertia")
-    for key, place in TENSOR.items():
-        added(inertia, key, body.inertia[place])
-    _shapes(link, body)
+    leaves(inertial, "inertia", **{key: body.inertia[place] for key, place in TENSOR.items()})
+    add_shapes(link, body, leaves, _pose, _material)
 
 
-def _pose(place: Array, R: Array) -> Array:
-    """Return a pose as position and roll, pitch, yaw."""
-    return np.concatenate([place, rpy_from_rotation(R)])
+def _pose(element: ET.Element, place: Array, R: Array) -> None:
+    """Add a pose as position and roll, pitch, yaw."""
+    added(element, "pose", np.concatenate([place, rpy_from_rotation(R)]))
+
+
+def _material(element: ET.Element, body: Body) -> None:
+    """Add the color of a body."""
+    color = [*body.color, 1.0]
+    leaves(element, "material", ambient=color, diffuse=color)
+
+
+def add_shapes(
+    link: ET.Element,
+    body: Body,
+    leaf: Leaf,
+    pose: Callable[[ET.Element, Array, Array], None],
+    material: Callable[[ET.Element, Body], None],
+) -> None:
+    """Add the visuals and collisions of a body, in SDF and URDF."""
+    for number, shape in enumerate(body.shapes, 1):
+        for tag in ("visual", "collision"):
+            # MuJoCo expects names that are unique in the whole URDF file.
+            element = added(link, tag, name=f"{tag}_{number}" if leaf is leaves else None)
+            pose(element, shape.middle, shape.frame)
+            geometry, length = added(element, "geometry"), shape.length or None
+            leaf(geometry, "cylinder" if length else "sphere", radius=shape.radius, length=length)
+            if tag == "visual":
+                material(element, body)
 
 
 def _joint(parent: ET.Element, model: Model, joint: Joint, drake: bool) -> None:
@@ -105,51 +115,21 @@ def _joint(parent: ET.Element, model: Model, joint: Joint, drake: bool) -> None:
     added(element, "parent", "base" if joint.parent == WORLD else joint.parent)
     added(element, "child", joint.child)
     if joint.point.any():
-        added(element, "pose", _pose(joint.point, np.eye(3)))
+        _pose(element, joint.point, np.eye(3))
     for number, (axis, local) in enumerate(zip(joint.axes, model.local_axes(joint), strict=True)):
         turned = added(element, "axis2" if number else "axis")
         if number or joint.kind == "prismatic":
             added(turned, "xyz", local)
         else:
             added(turned, "xyz", axis, expressed_in="__model__")
-        dynamics = added(turned, "dynamics")
-        added(dynamics, "damping", joint.damping)
-        _limits(turned, joint, drake)
+        leaves(turned, "dynamics", damping=joint.damping)
+        leaves(turned, "limit", **_limits(joint, drake))
 
 
-def _limits(axis: ET.Element, joint: Joint, drake: bool) -> None:
-    """Add the limits of an axis."""
-    limit = added(axis, "limit")
+def _limits(joint: Joint, drake: bool) -> dict[str, float | None]:
+    """Return the limits of an axis."""
     low, high = joint.travel(NO_LIMIT)
-    added(limit, "lower", low)
-    added(limit, "upper", high)
-    if np.isfinite(joint.effort):
-        added(limit, "effort", joint.effort)
-    elif drake and not joint.driven:
-        # Drake adds an actuator to every joint without this limit.
-        added(limit, "effort", 0.0)
-    if np.isfinite(joint.speed):
-        added(limit, "velocity", joint.speed)
-
-
-def _shapes(link: ET.Element, body: Body) -> None:
-    """Add the visuals and collisions of a body."""
-    color = [*body.color, 1.0]
-    for number, shape in enumerate(body.shapes, 1):
-        for tag in ("visual", "collision"):
-            element = added(link, tag, name=f"{tag}_{number}")
-            added(element, "pose", _pose(shape.middle, shape.frame))
-            _geometry(element, shape)
-            if tag == "visual":
-                material = added(element, "material")
-                added(material, "ambient", color)
-                added(material, "diffuse", color)
-
-
-def _geometry(element: ET.Element, shape: Shape) -> None:
-    """Add the geometry of a shape."""
-    geometry = added(element, "geometry")
-    kind = added(geometry, "cylinder" if shape.length else "sphere")
-    added(kind, "radius", shape.radius)
-    if shape.length:
-        added(kind, "length", shape.length)
+    # Drake adds an actuator to every joint without a limit of the effort.
+    none = 0.0 if drake and not joint.driven else None
+    effort, speed = (None if np.isinf(limit) else limit for limit in (joint.effort, joint.speed))
+    return {"lower": low, "upper": high, "effort": none if effort is None else effort, "velocity": speed}

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...io.output import json_text
 from ...motion.rotation import rpy_from_rotation
-from ..model import WORLD, Body, Joint, Model, Shape, in_single_axes
-from .sdf_out import BALL, DRAKE
+from ..model import WORLD, Body, Joint, Model, in_single_axes
+from .sdf_out import BALL, DRAKE, add_shapes
 from .xml_text import NO_LIMIT, TENSOR, added, document
 
 ROOT = "base"
@@ -81,29 +82,20 @@ def _link(root: ET.Element, body: Body) -> None:
     link = added(root, "link", name=_name(body.name))
     if body.mass:
         inertial = added(link, "inertial")
-        added(inertial, "origin", xyz=body.center, rpy=np.zeros(3))
+        _origin(inertial, body.center, np.eye(3))
         added(inertial, "mass", value=body.mass)
         added(inertial, "inertia", **{key: body.inertia[place] for key, place in TENSOR.items()})
-    for shape in body.shapes:
-        for tag in ("visual", "collision"):
-            element = added(link, tag)
-            added(element, "origin", xyz=shape.middle, rpy=rpy_from_rotation(shape.frame))
-            _geometry(element, shape)
-            if tag == "visual":
-                added(
-                    added(element, "material", name=body.name.partition("_")[0]),
-                    "color",
-                    rgba=[*body.color, 1.0],
-                )
+    add_shapes(link, body, added, _origin, _material)
 
 
-def _geometry(element: ET.Element, shape: Shape) -> None:
-    """Add the geometry of a shape."""
-    geometry = added(element, "geometry")
-    if shape.length:
-        added(geometry, "cylinder", radius=shape.radius, length=shape.length)
-    else:
-        added(geometry, "sphere", radius=shape.radius)
+def _origin(element: ET.Element, place: Array, R: Array) -> None:
+    """Add a pose as position and roll, pitch, yaw."""
+    added(element, "origin", xyz=place, rpy=rpy_from_rotation(R))
+
+
+def _material(element: ET.Element, body: Body) -> None:
+    """Add the color of a body."""
+    added(added(element, "material", name=body.name.partition("_")[0]), "color", rgba=[*body.color, 1.0])
 
 
 def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
@@ -112,8 +104,7 @@ def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
     added(element, "parent", link=_name(joint.parent))
     added(element, "child", link=_name(joint.child))
     R, turned = model.body(joint.parent).R, model.body(joint.child).R
-    angles = np.zeros(3) if np.array_equal(R, turned) else rpy_from_rotation(R.T @ turned)
-    added(element, "origin", xyz=model.origin(joint), rpy=angles)
+    _origin(element, model.origin(joint), np.eye(3) if np.array_equal(R, turned) else R.T @ turned)
     for axis in model.local_axes(joint):
         added(element, "axis", xyz=axis)
     if joint.kind != "free":

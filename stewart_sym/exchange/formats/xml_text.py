@@ -3,7 +3,7 @@
 import math
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import Any
 from xml.parsers import expat
 
@@ -14,6 +14,9 @@ from ...io.array_types import Array
 
 HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym export -->\n"
 """First lines of every XML file that is written."""
+
+Leaf = Callable[..., ET.Element]
+"""Function that appends an element with values: ``added`` as attributes, ``leaves`` as child elements."""
 
 TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 """Indices of the elements of a symmetric tensor, by their names in SDF and URDF."""
@@ -77,6 +80,15 @@ def added(parent: ET.Element, tag: str, text: object = None, /, **attributes: ob
     return element
 
 
+def leaves(parent: ET.Element, tag: str, /, **values: object) -> ET.Element:
+    """Append an element whose values are child elements; values that are None are omitted."""
+    element = added(parent, tag)
+    for name, value in values.items():
+        if value is not None:
+            added(element, name, value)
+    return element
+
+
 def spelled(value: Any) -> str:
     """Convert a text, a number, or numbers to text with all digits."""
     if isinstance(value, str):
@@ -85,13 +97,7 @@ def spelled(value: Any) -> str:
 
 
 def numbers(text: str | None, count: int, where: str, default: Any = None, finite: bool = True) -> Array:
-    """Return the numbers in a text, shape (count,), or ``default`` if the text is None.
-
-    Raises
-    ------
-    ValueError
-        If the text does not contain ``count`` numbers, or is None without a default.
-    """
+    """Return the numbers in a text, shape (count,), or ``default`` if the text is None."""
     if text is None and default is not None:
         return np.array(default, dtype=np.float64)
     expected = "a number" if count == 1 else f"{count} numbers"

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend.kernel import FORMULATIONS, MOTION, levels, operations_per_pose
+from ...calls.c_kernel import function
 from ...calls.numpy_kernel import loaded
 from ...calls.threads import CORES
 from ...dynamics.forces import ForceKernel, Precision
@@ -213,7 +214,8 @@ def _tasks(
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     rows = np.concatenate([array.reshape(FEW, -1) for array in few], axis=1)
     for candidate, kernel in kernels.items():
-        one_pose = loop(rows.astype(kernel.dtype), kernel.c_function("forces"), kernel.model)
+        compiled = function(kernel.name, "forces", "_forces", kernel.precision)
+        one_pose = loop(rows.astype(kernel.dtype), compiled, kernel.model)
         tasks[candidate, "one pose"], tasks[candidate, "batch"] = one_pose[0], batch(many, kernel)[0]
     motion = Motion(**dict(zip(MOTION, slow, strict=True)))
     for name, other in ways.items():

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
-from ...design.limit_margins import compared, states_limits
+from ...design.limit_margins import LimitMargins, compared, states_limits
 from ...drives.limit_status import unknown_forces
 from ...io.array_types import Array
 from ...robot.robot import LEGS, Robot
@@ -62,10 +62,27 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     """Return warnings about undetermined forces and about the limits of the robot in the file ``source``."""
     limits = compared(robot, needs)
     lines = [line for part in limits for line in part]
-    told = f"limits exceeded: {len(limits.exceeded)}, limits without the margin: {len(limits.margin_missing)}"
-    if possible := len(limits.inconclusive) + len(limits.margin_inconclusive):
-        told += f", inconclusive: {possible}"
-    return [*_unknown(needs), *([f"{source}: {told}; {lines[0]}"] if lines else [])]
+    return [*_unknown(needs), *([f"{source}: {_counts(limits)}; {lines[0]}"] if lines else [])]
+
+
+def _counts(limits: LimitMargins) -> str:
+    """Format the numbers of limits that are exceeded, exceeded with the margin, and inconclusive."""
+    text = f"limits exceeded: {len(limits.exceeded)}, limits without the margin: {len(limits.margin_missing)}"
+    possible = len(limits.inconclusive) + len(limits.margin_inconclusive)
+    return f"{text}, inconclusive: {possible}" if possible else text
+
+
+def _verdict(robot: Robot, needs: ActuatorRequirementsResult, limits: LimitMargins) -> str:
+    """Return the result of the comparison with the limits in one line."""
+    if needs.crossings:
+        return "no force is sufficient: a motion crosses a singular pose"
+    if any(limits):
+        return _counts(limits)
+    if _unknown(needs):
+        return "inconclusive: forces cannot be determined at this noise level"
+    stated = states_limits(robot)
+    margin = f"with the margin of {100.0 * needs.margin:g} %"
+    return f"no limit is exceeded, {margin}" if stated else "the robot file states no limit"
 
 
 def _unknown(needs: ActuatorRequirementsResult) -> list[str]:
@@ -100,7 +117,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
         largest = scale * (1.0 + needs.margin) * np.nanmax(values)
         cells.append((f"{name}, {unit}", *texts, "" if name in _ENDS else f"{largest:.{_DIGITS}g}"))
     neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
+    found = compared(robot, needs)
     lines = [
+        f"verdict {_verdict(robot, needs, found)}",
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
         f"margin  {100.0 * needs.margin:g} %, added to the largest value of each row in the last column",
@@ -111,13 +130,9 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     ]
     if needs.std is not None:
         lines.append("+-: standard deviations that the noise of the logs leaves, at most.")
-    found = compared(robot, needs)
     told = [f"{text}." for text in _unknown(needs)]
     told += [*(f"exceeded: {line}" for line in found.exceeded), *found.inconclusive]
     told += [*(f"margin missing: {line}" for line in found.margin_missing), *found.margin_inconclusive]
-    if not any([needs.crossings, *found]):
-        stated = states_limits(robot, needs)
-        told.append("No limit is exceeded, with the margin." if stated else "The robot file states no limit.")
     return "\n".join([*lines, *needs.crossings, *(line[:1].upper() + line[1:] for line in told)])
 
 

@@ -50,6 +50,7 @@ def _text(found: Examination) -> str:
     """Format all results as text in the units of the robot file."""
     along = found.along
     lines = [
+        f"verdict    {_verdict(found)}",
         f"robot      {found.robot.name}",
         f"path       {found.name}, {time_text(along.start)} s to {time_text(along.end)} s",
         f"crossings  {len(along.crossings)}",
@@ -68,6 +69,16 @@ def _text(found: Examination) -> str:
         lines += ["", "Other minima of the smallest singular value"]
         lines += [f"  {_near(approach.time, approach.singularity)}" for approach in others]
     return "\n".join([*lines, "", _legs_table(found)])
+
+
+def _verdict(found: Examination) -> str:
+    """Return in one line whether the path has singular poses."""
+    along = found.along
+    texts = [f"singular at every time in {len(along.spans)} segments of the path"] if along.spans else []
+    if along.crossings:
+        count = "a singular pose" if len(along.crossings) == 1 else f"{len(along.crossings)} singular poses"
+        texts.append(f"the path crosses {count}, first at {along.crossings[0].time:.9f} s")
+    return "; ".join(texts) or "the path crosses no singular pose"
 
 
 def full_report(found: Examination) -> Report:
