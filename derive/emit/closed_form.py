@@ -156,11 +156,10 @@ class _Source(blocks.Batches):
             if what in self.asked:
                 yield from self.own(what)
         if set(blocks.OUTPUTS) & set(self.asked):
-            yield self.structures["OfLeg"]
             yield from self.shared_by_blocks()
         for what in ORDER:
             if what in self.asked and what in blocks.OUTPUTS:
-                yield from self.of_blocks(what)
+                yield from self.of_blocks(what, self._leg_of_poses(o.PREFIX.get(what, what)))
             elif what in self.asked:
                 yield self.public[what][1]
 
@@ -227,14 +226,20 @@ class _Source(blocks.Batches):
             own = {"OUTSIDE": outside, "BLOCK": inside} | checks(block)
             name = f"{prefix}_of_{part}"
             yield self.read(written.leg_terms, name, apart=True, given=given | own, structures=structures)
-        # Quantities of the motion that the platform, the legs, and the checks of the legs read.
-        moved = {n.t, *(q for part in (kernel.pose, *legs.values()) for q in part.inputs)}
         given |= {
             "GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs),
-            "MOVED": lay.entries(q for q in n.MOTION if q in moved),
-            "OF_POSE": lay.entries(blocks.handed(kernel)),
+            "MOVED": lay.entries(q for q in n.MOTION if q in kernel.pose.inputs),
         }
         yield self.read(written.sums, f"{prefix}_sums", structures=structures, given=given, names=names)
+
+    def _leg_of_poses(self, prefix: str) -> t.Function:
+        """Return the function of one leg of eight poses."""
+        kernel = self.kernels[prefix]
+        structures = {"Pose": self.pose_structure(prefix), "Legs": self.legs_structure(prefix)}
+        _, body = self._leg_body(kernel, kernel.leg, of_block=True)
+        given: dict[str, read.Given] = {"BLOCK": body} | checks(kernel.leg)
+        name = f"{prefix}_leg_of_poses"
+        return self.read(written.leg_of_poses, name, apart=True, given=given, structures=structures)
 
     def _pose_body(self, kernel: SumKernel) -> blocks.Parted:
         block = kernel.pose
@@ -255,19 +260,26 @@ class _Source(blocks.Batches):
             *sums,
         )
 
-    def _leg_body(self, kernel: SumKernel, block: Block) -> blocks.Parted:
-        """Return the statements that are common to all legs, and the statements for each leg."""
+    def _leg_body(self, kernel: SumKernel, block: Block, of_block: bool = False) -> blocks.Parted:
+        """Return the statements that are common to all lanes, and the statements for each lane.
+
+        Lanes are legs, or, in a block, poses; all statements are then for each lane.
+        """
+        leg = t.Name("leg") if of_block else lay.LANE
 
         def place(q: Quantity) -> lay.Place:
             if q in GIVEN:
                 return lay.member("out", q, lay.LANE)
             if q in self.model.leg_constants():
-                return lay.member("model", q, lay.LANE)
+                return lay.member("model", q, leg)
             if q in self.model.platform_constants():
                 return lay.member("model", q)
-            return lay.member("at" if q in n.MOTION else "pose", q, lay.LANE)
+            if q not in n.MOTION:
+                return lay.member("pose", q, lay.LANE if of_block else t.Number(0))
+            return lay.member("at", q, lay.LANE) if of_block else lay.member("motion", q)
 
-        outside, inside = lay.parted(lay.loaded(block, place, n.t, n.b))
+        loads = lay.loaded(block, place, n.t, n.b)
+        outside, inside = ((), loads) if of_block else lay.parted(loads)
         kept = [out for out in block.outputs if out.quantity in blocks.kept(kernel)]
         return outside, (
             *inside,

@@ -35,7 +35,7 @@ Parted = tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]
 
 MOTION_LANES = t.Structure(
     "motion_in_lanes",
-    "A motion in every lane, or motions of eight poses, component by component.",
+    "Motions of eight poses, or of one pose in the first lane, component by component.",
     tuple(lay.stored(q, LANES) for q in n.MOTION),
     aligned=True,
 )
@@ -154,7 +154,7 @@ class Results:
 
     def names(self) -> dict[str, str]:
         """Return the C names of the names in the texts."""
-        found = {f"{part}_terms": f"{self.prefix}_of_{part}" for part in ("pose", "leg")}
+        found = {"pose_terms": f"{self.prefix}_of_pose", "leg_of_poses": f"{self.prefix}_leg_of_poses"}
         of_block = {"leg_of_block": f"{self.prefix}_leg_of_block", "sums_of_block": f"{self.prefix}_of_block"}
         return found | of_block | {"sums": f"{self.prefix}_sums"}
 
@@ -280,15 +280,12 @@ class Batches:
         """Set the outputs ``asked`` and their kernels."""
         self.model, self.asked, self.name = model, asked, model.formulation.kernel_name
         self.kernels = {o.prefix_of(each): each for each in kernels}
-        leg = (t.Field("model", t.Record(f"stewart_{self.name}_model")),)
-        says = "Constants of one leg in every lane."
         self.structures = {
             "Model": t.Structure(f"stewart_{self.name}_model", "", ()),
             "Motion": MOTION,
             "Motions": MOTIONS,
             "MotionLanes": MOTION_LANES,
             "Checked": CHECKS,
-            "OfLeg": t.Structure("leg_in_lanes", says, leg, aligned=True),
         }
         known = (_ADD_LEGS, *OF_BATCHES, *self._forces_as_called())
         self.functions = {each.name: each for each in known} | shared().by_name
@@ -321,7 +318,6 @@ class Batches:
 
     def shared_by_blocks(self) -> Iterator[t.Function]:
         """Yield the common functions of blocks of eight poses."""
-        yield self.read(texts.spread_leg, given={"OF_LEG": lay.entries(self.model.leg_constants())})
         yield self.read(texts.load_motions, given={"LOADS": LOADED})
         if {"forward_dynamics", "derivatives"} & set(self.asked):
             yield self.read(texts.load_forces)
@@ -378,11 +374,12 @@ class Batches:
         given = made.given() | {"inertia": inertia_at(lambda _, __, i: t.at("summed", i))}
         yield self.read(results.accelerations_of, structures=structures | {"Found": found}, given=given)
 
-    def of_blocks(self, what: str) -> Iterator[t.Structure | t.Function]:
-        """Yield a batch and the functions of its blocks."""
+    def of_blocks(self, what: str, leg: t.Function) -> Iterator[t.Structure | t.Function]:
+        """Yield a batch and the functions of its blocks; ``leg`` computes one leg of a block."""
         made, structures = self._results(what)
         struct = what in STRUCTS
         yield structures["Block"]
+        yield leg
         names = made.names() | {"kernel_forces_batch": f"stewart_{self.name}_forces_batch"}
         names |= {"of_pose": f"stewart_{self.name}_{what}"}
         names |= {} if struct else {"Found": f"array({LEGS})", "ResultArrays": "Pointer(Real)"}

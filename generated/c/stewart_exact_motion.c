@@ -130,7 +130,7 @@ typedef struct {
     stewart_real bad[LANES];
 } leg_checks;
 
-/* A motion in every lane, or motions of eight poses, component by component. */
+/* Motions of eight poses, or of one pose in the first lane, component by component. */
 typedef struct {
     stewart_real R[9][LANES];
     stewart_real t[3][LANES];
@@ -298,12 +298,20 @@ static STEWART_INLINE void forward_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void forward_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const forward_pose *STEWART_RESTRICT pose, forward_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real B_0_xx = pose->B_0[0][0], B_0_xy = pose->B_0[1][0], B_0_xz = pose->B_0[2][0], B_0_yx = pose->B_0[3][0],
+        B_0_yy = pose->B_0[4][0], B_0_yz = pose->B_0[5][0], B_0_zx = pose->B_0[6][0], B_0_zy = pose->B_0[7][0],
+        B_0_zz = pose->B_0[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -322,14 +330,6 @@ STEWART_APART static void forward_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real B_0_xx = pose->B_0[0][l], B_0_xy = pose->B_0[1][l], B_0_xz = pose->B_0[2][l],
-            B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
-            B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
@@ -382,9 +382,9 @@ STEWART_APART static void forward_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -559,50 +559,30 @@ static void forward_sums(
 {
     int l;
     motion_in_lanes at;
-    forward_pose own;
     forward_pose pose;
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-        at.F_ext[0][l] = motion->F_ext[0];
-        at.F_ext[1][l] = motion->F_ext[1];
-        at.F_ext[2][l] = motion->F_ext[2];
-        at.M_ext[0][l] = motion->M_ext[0];
-        at.M_ext[1][l] = motion->M_ext[1];
-        at.M_ext[2][l] = motion->M_ext[2];
-    }
-    forward_of_pose(model, &at, 1, &own, summed);
-    for (l = 0; l < LANES; ++l) {
-        pose.B_0[0][l] = own.B_0[0][0];
-        pose.B_0[1][l] = own.B_0[1][0];
-        pose.B_0[2][l] = own.B_0[2][0];
-        pose.B_0[3][l] = own.B_0[3][0];
-        pose.B_0[4][l] = own.B_0[4][0];
-        pose.B_0[5][l] = own.B_0[5][0];
-        pose.B_0[6][l] = own.B_0[6][0];
-        pose.B_0[7][l] = own.B_0[7][0];
-        pose.B_0[8][l] = own.B_0[8][0];
-    }
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    at.F_ext[0][0] = motion->F_ext[0];
+    at.F_ext[1][0] = motion->F_ext[1];
+    at.F_ext[2][0] = motion->F_ext[2];
+    at.M_ext[0][0] = motion->M_ext[0];
+    at.M_ext[1][0] = motion->M_ext[1];
+    at.M_ext[2][0] = motion->M_ext[2];
+    forward_of_pose(model, &at, 1, &pose, summed);
     for (l = 6; l < 8; ++l) {
         legs->F[l] = legs->F[5];
     }
-    forward_of_leg(model, &at, &pose, legs);
+    forward_of_leg(model, motion, &pose, legs);
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
         add_legs(legs->sum, 27, summed);
@@ -910,12 +890,20 @@ static STEWART_INLINE void joint_rows_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void joint_rows_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const joint_rows_pose *STEWART_RESTRICT pose, joint_rows_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real B_0_xx = pose->B_0[0][0], B_0_xy = pose->B_0[1][0], B_0_xz = pose->B_0[2][0], B_0_yx = pose->B_0[3][0],
+        B_0_yy = pose->B_0[4][0], B_0_yz = pose->B_0[5][0], B_0_zx = pose->B_0[6][0], B_0_zy = pose->B_0[7][0],
+        B_0_zz = pose->B_0[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -935,14 +923,6 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real B_0_xx = pose->B_0[0][l], B_0_xy = pose->B_0[1][l], B_0_xz = pose->B_0[2][l],
-            B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
-            B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
@@ -990,9 +970,9 @@ STEWART_APART static void joint_rows_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -1161,50 +1141,30 @@ static void joint_rows_sums(
 {
     int l;
     motion_in_lanes at;
-    joint_rows_pose own;
     joint_rows_pose pose;
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-        at.F_ext[0][l] = motion->F_ext[0];
-        at.F_ext[1][l] = motion->F_ext[1];
-        at.F_ext[2][l] = motion->F_ext[2];
-        at.M_ext[0][l] = motion->M_ext[0];
-        at.M_ext[1][l] = motion->M_ext[1];
-        at.M_ext[2][l] = motion->M_ext[2];
-    }
-    joint_rows_of_pose(model, &at, 1, &own, summed);
-    for (l = 0; l < LANES; ++l) {
-        pose.B_0[0][l] = own.B_0[0][0];
-        pose.B_0[1][l] = own.B_0[1][0];
-        pose.B_0[2][l] = own.B_0[2][0];
-        pose.B_0[3][l] = own.B_0[3][0];
-        pose.B_0[4][l] = own.B_0[4][0];
-        pose.B_0[5][l] = own.B_0[5][0];
-        pose.B_0[6][l] = own.B_0[6][0];
-        pose.B_0[7][l] = own.B_0[7][0];
-        pose.B_0[8][l] = own.B_0[8][0];
-    }
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    at.F_ext[0][0] = motion->F_ext[0];
+    at.F_ext[1][0] = motion->F_ext[1];
+    at.F_ext[2][0] = motion->F_ext[2];
+    at.M_ext[0][0] = motion->M_ext[0];
+    at.M_ext[1][0] = motion->M_ext[1];
+    at.M_ext[2][0] = motion->M_ext[2];
+    joint_rows_of_pose(model, &at, 1, &pose, summed);
     for (l = 6; l < 8; ++l) {
         legs->F[l] = legs->F[5];
     }
-    joint_rows_of_leg(model, &at, &pose, legs);
+    joint_rows_of_leg(model, motion, &pose, legs);
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
         add_legs(legs->sum, 27, summed);
@@ -1866,13 +1826,18 @@ static STEWART_INLINE void equations_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void equations_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
     (void)pose;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -1891,11 +1856,6 @@ STEWART_APART static void equations_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
@@ -1942,9 +1902,9 @@ STEWART_APART static void equations_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -2242,13 +2202,18 @@ STEWART_APART static void equations_of_leg(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void equations_of_near(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
     (void)pose;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -2267,11 +2232,6 @@ STEWART_APART static void equations_of_near(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
@@ -2316,9 +2276,9 @@ STEWART_APART static void equations_of_near(
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -2627,34 +2587,24 @@ static void equations_sums(
     const stewart_exact_model *model, const stewart_motion *motion, equations_legs *legs,
     stewart_real summed[69])
 {
-    int l;
     motion_in_lanes at;
-    equations_pose own = {0};
     equations_pose pose = {0};
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-    }
-    equations_of_pose(model, &at, 1, &own, summed);
-    equations_of_leg(model, &at, &pose, legs);
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    equations_of_pose(model, &at, 1, &pose, summed);
+    equations_of_leg(model, motion, &pose, legs);
     if (is_near(&legs->checked) != 0) {
-        equations_of_near(model, &at, &pose, legs);
+        equations_of_near(model, motion, &pose, legs);
     }
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
@@ -3146,12 +3096,20 @@ static STEWART_INLINE void derivatives_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void derivatives_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real a_x = motion->a[0], a_y = motion->a[1], a_z = motion->a[2];
+    const stewart_real B_xx = pose->B[0][0], B_xy = pose->B[1][0], B_xz = pose->B[2][0], B_yx = pose->B[3][0],
+        B_yy = pose->B[4][0], B_yz = pose->B[5][0], B_zx = pose->B[6][0], B_zy = pose->B[7][0], B_zz = pose->B[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -3170,14 +3128,6 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = pose->B[0][l], B_xy = pose->B[1][l], B_xz = pose->B[2][l], B_yx = pose->B[3][l],
-            B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
@@ -3225,9 +3175,9 @@ STEWART_APART static void derivatives_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -3826,12 +3776,20 @@ STEWART_APART static void derivatives_of_leg(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void derivatives_of_near(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real a_x = motion->a[0], a_y = motion->a[1], a_z = motion->a[2];
+    const stewart_real B_xx = pose->B[0][0], B_xy = pose->B[1][0], B_xz = pose->B[2][0], B_yx = pose->B[3][0],
+        B_yy = pose->B[4][0], B_yz = pose->B[5][0], B_zx = pose->B[6][0], B_zy = pose->B[7][0], B_zz = pose->B[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -3850,14 +3808,6 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
-        const stewart_real B_xx = pose->B[0][l], B_xy = pose->B[1][l], B_xz = pose->B[2][l], B_yx = pose->B[3][l],
-            B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
@@ -3905,9 +3855,9 @@ STEWART_APART static void derivatives_of_near(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -4680,58 +4630,38 @@ static void derivatives_sums(
 {
     int l;
     motion_in_lanes at;
-    derivatives_pose own;
     derivatives_pose pose;
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-        at.alpha[0][l] = motion->alpha[0];
-        at.alpha[1][l] = motion->alpha[1];
-        at.alpha[2][l] = motion->alpha[2];
-        at.a[0][l] = motion->a[0];
-        at.a[1][l] = motion->a[1];
-        at.a[2][l] = motion->a[2];
-        at.F_ext[0][l] = motion->F_ext[0];
-        at.F_ext[1][l] = motion->F_ext[1];
-        at.F_ext[2][l] = motion->F_ext[2];
-        at.M_ext[0][l] = motion->M_ext[0];
-        at.M_ext[1][l] = motion->M_ext[1];
-        at.M_ext[2][l] = motion->M_ext[2];
-    }
-    derivatives_of_pose(model, &at, 1, &own, summed);
-    for (l = 0; l < LANES; ++l) {
-        pose.B[0][l] = own.B[0][0];
-        pose.B[1][l] = own.B[1][0];
-        pose.B[2][l] = own.B[2][0];
-        pose.B[3][l] = own.B[3][0];
-        pose.B[4][l] = own.B[4][0];
-        pose.B[5][l] = own.B[5][0];
-        pose.B[6][l] = own.B[6][0];
-        pose.B[7][l] = own.B[7][0];
-        pose.B[8][l] = own.B[8][0];
-    }
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    at.alpha[0][0] = motion->alpha[0];
+    at.alpha[1][0] = motion->alpha[1];
+    at.alpha[2][0] = motion->alpha[2];
+    at.a[0][0] = motion->a[0];
+    at.a[1][0] = motion->a[1];
+    at.a[2][0] = motion->a[2];
+    at.F_ext[0][0] = motion->F_ext[0];
+    at.F_ext[1][0] = motion->F_ext[1];
+    at.F_ext[2][0] = motion->F_ext[2];
+    at.M_ext[0][0] = motion->M_ext[0];
+    at.M_ext[1][0] = motion->M_ext[1];
+    at.M_ext[2][0] = motion->M_ext[2];
+    derivatives_of_pose(model, &at, 1, &pose, summed);
     for (l = 6; l < 8; ++l) {
         legs->F[l] = legs->F[5];
     }
-    derivatives_of_leg(model, &at, &pose, legs);
+    derivatives_of_leg(model, motion, &pose, legs);
     if (is_near(&legs->checked) != 0) {
-        derivatives_of_near(model, &at, &pose, legs);
+        derivatives_of_near(model, motion, &pose, legs);
     }
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
@@ -5138,12 +5068,19 @@ static STEWART_INLINE void joint_slopes_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void joint_slopes_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const joint_slopes_pose *STEWART_RESTRICT pose, joint_slopes_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real B_xx = pose->B[0][0], B_xy = pose->B[1][0], B_xz = pose->B[2][0], B_yx = pose->B[3][0],
+        B_yy = pose->B[4][0], B_yz = pose->B[5][0], B_zx = pose->B[6][0], B_zy = pose->B[7][0], B_zz = pose->B[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -5159,13 +5096,6 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real B_xx = pose->B[0][l], B_xy = pose->B[1][l], B_xz = pose->B[2][l], B_yx = pose->B[3][l],
-            B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
         const stewart_real net_x = out->net[0][l], net_y = out->net[1][l], net_z = out->net[2][l];
         const stewart_real turned_x = out->turned[0][l], turned_y = out->turned[1][l], turned_z = out->turned[2][l];
         const stewart_real axial = out->axial[l];
@@ -5215,9 +5145,9 @@ STEWART_APART static void joint_slopes_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -5240,7 +5170,7 @@ STEWART_APART static void joint_slopes_of_leg(
         /* (6) angular velocity of the leg about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c5 = omega_z*w_q_y;
-        const stewart_real c6 = STEWART_FMA(-omega_z, w_q_x, omega_x*w_q_z);
+        const stewart_real c6 = STEWART_FMA(omega_z, -w_q_x, omega_x*w_q_z);
         const stewart_real c7 = omega_y*w_q_x;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = STEWART_FMA(omega_y, w_q_z, -c5);
@@ -5696,33 +5626,33 @@ STEWART_APART static void joint_slopes_of_leg(
             bent_leg_32*y_y)) + tau_S_zy;
         const stewart_real tau_place_zz = STEWART_FMA(bent_leg_33, z_z, STEWART_FMA(bent_leg_31, s_z,
             bent_leg_32*y_z)) + tau_S_zz;
-        const stewart_real X_xx = STEWART_FMA(-omega_y, tau_S_dot_xz, STEWART_FMA(omega_z, tau_S_dot_xy,
+        const stewart_real X_xx = STEWART_FMA(omega_y, -tau_S_dot_xz, STEWART_FMA(omega_z, tau_S_dot_xy,
             STEWART_FMA(B_zx, tau_S_ddot_xz, STEWART_FMA(B_yx, tau_S_ddot_xy, B_xx*tau_S_ddot_xx)))) + tau_place_xx;
-        const stewart_real X_xy = STEWART_FMA(-omega_z, tau_S_dot_xx, STEWART_FMA(omega_x, tau_S_dot_xz,
+        const stewart_real X_xy = STEWART_FMA(omega_z, -tau_S_dot_xx, STEWART_FMA(omega_x, tau_S_dot_xz,
             STEWART_FMA(B_zy, tau_S_ddot_xz, STEWART_FMA(B_yy, tau_S_ddot_xy, B_xy*tau_S_ddot_xx)))) + tau_place_xy;
-        const stewart_real X_xz = STEWART_FMA(-omega_x, tau_S_dot_xy, STEWART_FMA(omega_y, tau_S_dot_xx,
+        const stewart_real X_xz = STEWART_FMA(omega_x, -tau_S_dot_xy, STEWART_FMA(omega_y, tau_S_dot_xx,
             STEWART_FMA(B_zz, tau_S_ddot_xz, STEWART_FMA(B_yz, tau_S_ddot_xy, B_xz*tau_S_ddot_xx)))) + tau_place_xz;
-        const stewart_real X_yx = STEWART_FMA(-omega_y, tau_S_dot_yz, STEWART_FMA(omega_z, tau_S_dot_yy,
+        const stewart_real X_yx = STEWART_FMA(omega_y, -tau_S_dot_yz, STEWART_FMA(omega_z, tau_S_dot_yy,
             STEWART_FMA(B_zx, tau_S_ddot_yz, STEWART_FMA(B_yx, tau_S_ddot_yy, B_xx*tau_S_ddot_yx)))) + tau_place_yx;
-        const stewart_real X_yy = STEWART_FMA(-omega_z, tau_S_dot_yx, STEWART_FMA(omega_x, tau_S_dot_yz,
+        const stewart_real X_yy = STEWART_FMA(omega_z, -tau_S_dot_yx, STEWART_FMA(omega_x, tau_S_dot_yz,
             STEWART_FMA(B_zy, tau_S_ddot_yz, STEWART_FMA(B_yy, tau_S_ddot_yy, B_xy*tau_S_ddot_yx)))) + tau_place_yy;
-        const stewart_real X_yz = STEWART_FMA(-omega_x, tau_S_dot_yy, STEWART_FMA(omega_y, tau_S_dot_yx,
+        const stewart_real X_yz = STEWART_FMA(omega_x, -tau_S_dot_yy, STEWART_FMA(omega_y, tau_S_dot_yx,
             STEWART_FMA(B_zz, tau_S_ddot_yz, STEWART_FMA(B_yz, tau_S_ddot_yy, B_xz*tau_S_ddot_yx)))) + tau_place_yz;
-        const stewart_real X_zx = STEWART_FMA(-omega_y, tau_S_dot_zz, STEWART_FMA(omega_z, tau_S_dot_zy,
+        const stewart_real X_zx = STEWART_FMA(omega_y, -tau_S_dot_zz, STEWART_FMA(omega_z, tau_S_dot_zy,
             STEWART_FMA(B_zx, tau_S_ddot_zz, STEWART_FMA(B_yx, tau_S_ddot_zy, B_xx*tau_S_ddot_zx)))) + tau_place_zx;
-        const stewart_real X_zy = STEWART_FMA(-omega_z, tau_S_dot_zx, STEWART_FMA(omega_x, tau_S_dot_zz,
+        const stewart_real X_zy = STEWART_FMA(omega_z, -tau_S_dot_zx, STEWART_FMA(omega_x, tau_S_dot_zz,
             STEWART_FMA(B_zy, tau_S_ddot_zz, STEWART_FMA(B_yy, tau_S_ddot_zy, B_xy*tau_S_ddot_zx)))) + tau_place_zy;
-        const stewart_real X_zz = STEWART_FMA(-omega_x, tau_S_dot_zy, STEWART_FMA(omega_y, tau_S_dot_zx,
+        const stewart_real X_zz = STEWART_FMA(omega_x, -tau_S_dot_zy, STEWART_FMA(omega_y, tau_S_dot_zx,
             STEWART_FMA(B_zz, tau_S_ddot_zz, STEWART_FMA(B_yz, tau_S_ddot_zy, B_xz*tau_S_ddot_zx)))) + tau_place_zz;
-        const stewart_real Y_xx = STEWART_FMA(-omega_y, tau_S_ddot_xz, omega_z*tau_S_ddot_xy) + tau_S_dot_xx;
-        const stewart_real Y_xy = STEWART_FMA(-omega_z, tau_S_ddot_xx, omega_x*tau_S_ddot_xz) + tau_S_dot_xy;
-        const stewart_real Y_xz = STEWART_FMA(-omega_x, tau_S_ddot_xy, omega_y*tau_S_ddot_xx) + tau_S_dot_xz;
-        const stewart_real Y_yx = STEWART_FMA(-omega_y, tau_S_ddot_yz, omega_z*tau_S_ddot_yy) + tau_S_dot_yx;
-        const stewart_real Y_yy = STEWART_FMA(-omega_z, tau_S_ddot_yx, omega_x*tau_S_ddot_yz) + tau_S_dot_yy;
-        const stewart_real Y_yz = STEWART_FMA(-omega_x, tau_S_ddot_yy, omega_y*tau_S_ddot_yx) + tau_S_dot_yz;
-        const stewart_real Y_zx = STEWART_FMA(-omega_y, tau_S_ddot_zz, omega_z*tau_S_ddot_zy) + tau_S_dot_zx;
-        const stewart_real Y_zy = STEWART_FMA(-omega_z, tau_S_ddot_zx, omega_x*tau_S_ddot_zz) + tau_S_dot_zy;
-        const stewart_real Y_zz = STEWART_FMA(-omega_x, tau_S_ddot_zy, omega_y*tau_S_ddot_zx) + tau_S_dot_zz;
+        const stewart_real Y_xx = STEWART_FMA(omega_y, -tau_S_ddot_xz, omega_z*tau_S_ddot_xy) + tau_S_dot_xx;
+        const stewart_real Y_xy = STEWART_FMA(omega_z, -tau_S_ddot_xx, omega_x*tau_S_ddot_xz) + tau_S_dot_xy;
+        const stewart_real Y_xz = STEWART_FMA(omega_x, -tau_S_ddot_xy, omega_y*tau_S_ddot_xx) + tau_S_dot_xz;
+        const stewart_real Y_yx = STEWART_FMA(omega_y, -tau_S_ddot_yz, omega_z*tau_S_ddot_yy) + tau_S_dot_yx;
+        const stewart_real Y_yy = STEWART_FMA(omega_z, -tau_S_ddot_yx, omega_x*tau_S_ddot_yz) + tau_S_dot_yy;
+        const stewart_real Y_yz = STEWART_FMA(omega_x, -tau_S_ddot_yy, omega_y*tau_S_ddot_yx) + tau_S_dot_yz;
+        const stewart_real Y_zx = STEWART_FMA(omega_y, -tau_S_ddot_zz, omega_z*tau_S_ddot_zy) + tau_S_dot_zx;
+        const stewart_real Y_zy = STEWART_FMA(omega_z, -tau_S_ddot_zx, omega_x*tau_S_ddot_zz) + tau_S_dot_zy;
+        const stewart_real Y_zz = STEWART_FMA(omega_x, -tau_S_ddot_zy, omega_y*tau_S_ddot_zx) + tau_S_dot_zz;
         const stewart_real G_dot_21 = -c88;
         const stewart_real c218 = k1*phi_dot;
         const stewart_real G_dot_22 = c218*inv_L;
@@ -5971,52 +5901,32 @@ static void joint_slopes_sums(
 {
     int l;
     motion_in_lanes at;
-    joint_slopes_pose own;
     joint_slopes_pose pose;
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-        at.alpha[0][l] = motion->alpha[0];
-        at.alpha[1][l] = motion->alpha[1];
-        at.alpha[2][l] = motion->alpha[2];
-        at.a[0][l] = motion->a[0];
-        at.a[1][l] = motion->a[1];
-        at.a[2][l] = motion->a[2];
-        at.F_ext[0][l] = motion->F_ext[0];
-        at.F_ext[1][l] = motion->F_ext[1];
-        at.F_ext[2][l] = motion->F_ext[2];
-        at.M_ext[0][l] = motion->M_ext[0];
-        at.M_ext[1][l] = motion->M_ext[1];
-        at.M_ext[2][l] = motion->M_ext[2];
-    }
-    joint_slopes_of_pose(model, &at, 1, &own, summed);
-    for (l = 0; l < LANES; ++l) {
-        pose.B[0][l] = own.B[0][0];
-        pose.B[1][l] = own.B[1][0];
-        pose.B[2][l] = own.B[2][0];
-        pose.B[3][l] = own.B[3][0];
-        pose.B[4][l] = own.B[4][0];
-        pose.B[5][l] = own.B[5][0];
-        pose.B[6][l] = own.B[6][0];
-        pose.B[7][l] = own.B[7][0];
-        pose.B[8][l] = own.B[8][0];
-    }
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    at.alpha[0][0] = motion->alpha[0];
+    at.alpha[1][0] = motion->alpha[1];
+    at.alpha[2][0] = motion->alpha[2];
+    at.a[0][0] = motion->a[0];
+    at.a[1][0] = motion->a[1];
+    at.a[2][0] = motion->a[2];
+    at.F_ext[0][0] = motion->F_ext[0];
+    at.F_ext[1][0] = motion->F_ext[1];
+    at.F_ext[2][0] = motion->F_ext[2];
+    at.M_ext[0][0] = motion->M_ext[0];
+    at.M_ext[1][0] = motion->M_ext[1];
+    at.M_ext[2][0] = motion->M_ext[2];
+    joint_slopes_of_pose(model, &at, 1, &pose, summed);
     for (l = 6; l < 8; ++l) {
         legs->net[0][l] = legs->net[0][5];
         legs->net[1][l] = legs->net[1][5];
@@ -6026,7 +5936,7 @@ static void joint_slopes_sums(
         legs->turned[2][l] = legs->turned[2][5];
         legs->axial[l] = legs->axial[5];
     }
-    joint_slopes_of_leg(model, &at, &pose, legs);
+    joint_slopes_of_leg(model, motion, &pose, legs);
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
         add_legs(legs->sum, 93, summed);
@@ -6294,12 +6204,20 @@ static STEWART_INLINE void bias_of_pose(
     }
 }
 
-/* Computes the legs of a pose, or one leg of eight poses, in lanes. */
+/* Computes the legs of a pose in lanes. */
 STEWART_APART static void bias_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT motion,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
 {
     int l;
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real B_0_xx = pose->B_0[0][0], B_0_xy = pose->B_0[1][0], B_0_xz = pose->B_0[2][0], B_0_yx = pose->B_0[3][0],
+        B_0_yy = pose->B_0[4][0], B_0_yz = pose->B_0[5][0], B_0_zx = pose->B_0[6][0], B_0_zy = pose->B_0[7][0],
+        B_0_zz = pose->B_0[8][0];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -6318,14 +6236,6 @@ STEWART_APART static void bias_of_leg(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
-            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
-        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
-        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
-        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
-        const stewart_real B_0_xx = pose->B_0[0][l], B_0_xy = pose->B_0[1][l], B_0_xz = pose->B_0[2][l],
-            B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
-            B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
@@ -6377,9 +6287,9 @@ STEWART_APART static void bias_of_leg(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
-        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
-        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        const stewart_real w_q_x = STEWART_FMA(omega_z, -q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(omega_x, -q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(omega_y, -q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
@@ -6494,43 +6404,22 @@ STEWART_APART static void bias_of_leg(
 static void bias_sums(
     const stewart_exact_model *model, const stewart_motion *motion, bias_legs *legs, stewart_real summed[6])
 {
-    int l;
     motion_in_lanes at;
-    bias_pose own;
     bias_pose pose;
-    for (l = 0; l < LANES; ++l) {
-        at.R[0][l] = motion->R[0];
-        at.R[1][l] = motion->R[1];
-        at.R[2][l] = motion->R[2];
-        at.R[3][l] = motion->R[3];
-        at.R[4][l] = motion->R[4];
-        at.R[5][l] = motion->R[5];
-        at.R[6][l] = motion->R[6];
-        at.R[7][l] = motion->R[7];
-        at.R[8][l] = motion->R[8];
-        at.t[0][l] = motion->t[0];
-        at.t[1][l] = motion->t[1];
-        at.t[2][l] = motion->t[2];
-        at.omega[0][l] = motion->omega[0];
-        at.omega[1][l] = motion->omega[1];
-        at.omega[2][l] = motion->omega[2];
-        at.v[0][l] = motion->v[0];
-        at.v[1][l] = motion->v[1];
-        at.v[2][l] = motion->v[2];
-    }
-    bias_of_pose(model, &at, 1, &own, summed);
-    for (l = 0; l < LANES; ++l) {
-        pose.B_0[0][l] = own.B_0[0][0];
-        pose.B_0[1][l] = own.B_0[1][0];
-        pose.B_0[2][l] = own.B_0[2][0];
-        pose.B_0[3][l] = own.B_0[3][0];
-        pose.B_0[4][l] = own.B_0[4][0];
-        pose.B_0[5][l] = own.B_0[5][0];
-        pose.B_0[6][l] = own.B_0[6][0];
-        pose.B_0[7][l] = own.B_0[7][0];
-        pose.B_0[8][l] = own.B_0[8][0];
-    }
-    bias_of_leg(model, &at, &pose, legs);
+    at.R[0][0] = motion->R[0];
+    at.R[1][0] = motion->R[1];
+    at.R[2][0] = motion->R[2];
+    at.R[3][0] = motion->R[3];
+    at.R[4][0] = motion->R[4];
+    at.R[5][0] = motion->R[5];
+    at.R[6][0] = motion->R[6];
+    at.R[7][0] = motion->R[7];
+    at.R[8][0] = motion->R[8];
+    at.omega[0][0] = motion->omega[0];
+    at.omega[1][0] = motion->omega[1];
+    at.omega[2][0] = motion->omega[2];
+    bias_of_pose(model, &at, 1, &pose, summed);
+    bias_of_leg(model, motion, &pose, legs);
     legs->status = legs_status(&legs->checked);
     if (legs->status == STEWART_OK) {
         add_legs(legs->sum, 6, summed);
@@ -6881,54 +6770,6 @@ int stewart_exact_derivatives(
     return slopes(model->per_length, number, F, out);
 }
 
-/* Constants of one leg in every lane. */
-typedef struct {
-    stewart_exact_model model;
-} STEWART_ALIGNED leg_in_lanes;
-
-/* The constants of one leg in every lane. */
-static void spread_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, int leg, stewart_exact_model *STEWART_RESTRICT to)
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        to->b[0][l] = model->b[0][leg];
-        to->b[1][l] = model->b[1][leg];
-        to->b[2][l] = model->b[2][leg];
-        to->p[0][l] = model->p[0][leg];
-        to->p[1][l] = model->p[1][leg];
-        to->p[2][l] = model->p[2][leg];
-        to->k[0][l] = model->k[0][leg];
-        to->k[1][l] = model->k[1][leg];
-        to->k[2][l] = model->k[2][leg];
-        to->C_p[l] = model->C_p[leg];
-        to->C_s[l] = model->C_s[leg];
-        to->h[0][l] = model->h[0][leg];
-        to->h[1][l] = model->h[1][leg];
-        to->h[2][l] = model->h[2][leg];
-        to->h2_x[l] = model->h2_x[leg];
-        to->h2_y[l] = model->h2_y[leg];
-        to->h2_z[l] = model->h2_z[leg];
-        to->w[0][l] = model->w[0][leg];
-        to->w[1][l] = model->w[1][leg];
-        to->w[2][l] = model->w[2][leg];
-        to->J[0][l] = model->J[0][leg];
-        to->J[1][l] = model->J[1][leg];
-        to->J[2][l] = model->J[2][leg];
-        to->J[3][l] = model->J[3][leg];
-        to->J[4][l] = model->J[4][leg];
-        to->J[5][l] = model->J[5][leg];
-        to->J2_xz[l] = model->J2_xz[leg];
-        to->dJ_zx[l] = model->dJ_zx[leg];
-        to->g_k[l] = model->g_k[leg];
-        to->g_x_k[0][l] = model->g_x_k[0][leg];
-        to->g_x_k[1][l] = model->g_x_k[1][leg];
-        to->g_x_k[2][l] = model->g_x_k[2][leg];
-        to->C_us[l] = model->C_us[leg];
-        to->m_u[l] = model->m_u[leg];
-    }
-}
-
 /* Motions of eight poses, component by component. */
 static void load_motions(const stewart_motions *motions, size_t first, size_t count, motion_in_lanes *at)
 {
@@ -7009,14 +6850,389 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED equations_block;
 
+/* Computes one leg of eight poses in lanes. */
+STEWART_APART static void equations_leg_of_poses(
+    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_in_lanes *STEWART_RESTRICT at,
+    const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
+{
+    int l;
+    (void)pose;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+        const stewart_real h2_x = model->h2_x[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg],
+            J_yz = model->J[4][leg], J_zz = model->J[5][leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real dJ_zx = model->dJ_zx[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
+        const stewart_real C_us = model->C_us[leg];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) omega x q */
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
+        const stewart_real c1 = k3*k3;
+        const stewart_real k33 = c1;
+        const stewart_real k13 = k1*k3;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+        const stewart_real c2 = STEWART_FMA(-L, h_y, J_xy);
+        const stewart_real a3 = c2;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
+        const stewart_real k3_h = h_y*k3;
+        const stewart_real c3 = inv_L*inv_rho;
+        const stewart_real c4 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -h_z*inv_L;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*c3;
+        const stewart_real m_leg_zz = M_theta*c4;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
+        const stewart_real c5 = h_x*theta_dot;
+        const stewart_real C_xi_12 = -c5;
+        const stewart_real c6 = STEWART_FMA(h_z*k1, -k3, c1*h_x);
+        const stewart_real C_xi_13 = -c6*phi_dot;
+        const stewart_real C_xi_21 = c5;
+        const stewart_real C_xi_22 = L_dot*h_x;
+        const stewart_real c7 = REAL(2)*L;
+        const stewart_real c8 = STEWART_FMA(-c7, h_z, REAL(2)*J_xz);
+        const stewart_real c9 = STEWART_FMA(STEWART_HALF*c1, -c8, STEWART_HALF*k1*STEWART_FMA(c8, k1,
+            REAL(2)*k3*STEWART_FMA(c7, h_x, J_zz - J_xx)));
+        const stewart_real C_xi_23 = -c9*phi_dot;
+        const stewart_real c10 = h_y*k1;
+        const stewart_real C_xi_31 = STEWART_FMA(-c10, theta_dot, c6*phi_dot);
+        const stewart_real C_xi_32 = STEWART_FMA(c9, phi_dot, STEWART_FMA(-L_dot, c10,
+            theta_dot*STEWART_FMA(-c2, k3, J_yz*k1)));
+        const stewart_real C_xi_33 = STEWART_FMA(c9, theta_dot, L_dot*c6);
+        const stewart_real c11 = k3*phi_dot;
+        const stewart_real G_dot_12 = c11;
+        const stewart_real G_dot_21 = -inv_L*theta_dot;
+        const stewart_real c12 = k1*phi_dot;
+        const stewart_real G_dot_22 = c12*inv_L;
+        const stewart_real G_dot_23 = L_dot*c4;
+        const stewart_real G_dot_31 = -c11*inv_rho;
+        const stewart_real G_dot_32 = STEWART_FMA(inv_rho*kappa, -theta_dot, -L_dot*c3);
+        const stewart_real G_dot_33 = c12*inv_rho;
+        const stewart_real C_leg_11 = STEWART_FMA(-G_dot_31, k3_h, G_dot_21*h_z);
+        const stewart_real C_leg_12 = STEWART_FMA(-G_dot_32, k3_h, STEWART_FMA(G_dot_22, h_z,
+            C_xi_13*inv_rho));
+        const stewart_real C_leg_13 = STEWART_FMA(-G_dot_33, k3_h, STEWART_FMA(-C_xi_12, inv_L,
+            G_dot_23*h_z));
+        const stewart_real C_leg_21 = inv_rho*STEWART_FMA(G_dot_31, M_phi, STEWART_FMA(G_dot_21, M_mixed,
+            C_xi_31));
+        const stewart_real C_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, k3_h, STEWART_FMA(G_dot_32, M_phi,
+            STEWART_FMA(G_dot_22, M_mixed, C_xi_33*inv_rho)));
+        const stewart_real C_leg_23 = inv_rho*STEWART_FMA(-C_xi_32, inv_L, STEWART_FMA(G_dot_33, M_phi,
+            STEWART_FMA(k3_h, theta_dot, G_dot_23*M_mixed)));
+        const stewart_real C_leg_31 = -inv_L*STEWART_FMA(G_dot_31, M_mixed, STEWART_FMA(G_dot_21, M_theta,
+            C_xi_21));
+        const stewart_real C_leg_32 = -inv_L*STEWART_FMA(G_dot_32, M_mixed, STEWART_FMA(G_dot_22, M_theta,
+            STEWART_FMA(C_xi_23, inv_rho, G_dot_12*h_z)));
+        const stewart_real C_leg_33 = -inv_L*STEWART_FMA(G_dot_33, M_mixed, STEWART_FMA(h_z, -theta_dot,
+            STEWART_FMA(-C_xi_22, inv_L, G_dot_23*M_theta)));
+        const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_31, z_x, STEWART_FMA(C_leg_21, y_x,
+            C_leg_11*s_x));
+        const stewart_real C_tip_T_xy = STEWART_FMA(C_leg_32, z_x, STEWART_FMA(C_leg_22, y_x,
+            C_leg_12*s_x));
+        const stewart_real C_tip_T_xz = STEWART_FMA(C_leg_33, z_x, STEWART_FMA(C_leg_23, y_x,
+            C_leg_13*s_x));
+        const stewart_real C_tip_T_ys = STEWART_FMA(C_leg_31, z_y, STEWART_FMA(C_leg_21, y_y,
+            C_leg_11*s_y));
+        const stewart_real C_tip_T_yy = STEWART_FMA(C_leg_32, z_y, STEWART_FMA(C_leg_22, y_y,
+            C_leg_12*s_y));
+        const stewart_real C_tip_T_yz = STEWART_FMA(C_leg_33, z_y, STEWART_FMA(C_leg_23, y_y,
+            C_leg_13*s_y));
+        const stewart_real C_tip_T_zs = STEWART_FMA(C_leg_31, z_z, STEWART_FMA(C_leg_21, y_z,
+            C_leg_11*s_z));
+        const stewart_real C_tip_T_zy = STEWART_FMA(C_leg_32, z_z, STEWART_FMA(C_leg_22, y_z,
+            C_leg_12*s_z));
+        const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_23, y_z,
+            C_leg_13*s_z));
+        /* Coriolis matrix at the tip, base frame */
+        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xy, y_x, STEWART_FMA(C_tip_T_xs, s_x,
+            C_tip_T_xz*z_x));
+        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xy, y_y, STEWART_FMA(C_tip_T_xs, s_y,
+            C_tip_T_xz*z_y));
+        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xy, y_z, STEWART_FMA(C_tip_T_xs, s_z,
+            C_tip_T_xz*z_z));
+        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yy, y_x, STEWART_FMA(C_tip_T_ys, s_x,
+            C_tip_T_yz*z_x));
+        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yy, y_y, STEWART_FMA(C_tip_T_ys, s_y,
+            C_tip_T_yz*z_y));
+        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yy, y_z, STEWART_FMA(C_tip_T_ys, s_z,
+            C_tip_T_yz*z_z));
+        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zy, y_x, STEWART_FMA(C_tip_T_zs, s_x,
+            C_tip_T_zz*z_x));
+        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zy, y_y, STEWART_FMA(C_tip_T_zs, s_y,
+            C_tip_T_zz*z_y));
+        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zy, y_z, STEWART_FMA(C_tip_T_zs, s_z,
+            C_tip_T_zz*z_z));
+        const stewart_real c13 = C_tip_xy*q_z;
+        const stewart_real c14 = m_xy*w_q_z;
+        const stewart_real c15 = C_tip_xz*q_y;
+        const stewart_real c16 = m_xz*w_q_y;
+        const stewart_real C_q_xx = c16 - c14 + c15 - c13;
+        const stewart_real c17 = C_tip_xx*q_z;
+        const stewart_real C_q_xy = STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(-m_xz, w_q_x, m_xx*w_q_z) + c17);
+        const stewart_real c18 = C_tip_xx*q_y;
+        const stewart_real C_q_xz = STEWART_FMA(C_tip_xy, q_x, STEWART_FMA(-m_xx, w_q_y, m_xy*w_q_x)) - c18;
+        const stewart_real c19 = C_tip_yy*q_z;
+        const stewart_real C_q_yx = STEWART_FMA(C_tip_yz, q_y, STEWART_FMA(-m_yy, w_q_z, m_yz*w_q_y)) - c19;
+        const stewart_real c20 = C_tip_yx*q_z;
+        const stewart_real c21 = -C_tip_yz*q_x;
+        const stewart_real c22 = -m_yz*w_q_x;
+        const stewart_real C_q_yy = c14 + c22 + c20 + c21;
+        const stewart_real c23 = -C_tip_yy*q_x;
+        const stewart_real C_q_yz = STEWART_FMA(-C_tip_yx, q_y, STEWART_FMA(-m_xy, w_q_y, m_yy*w_q_x)) - c23;
+        const stewart_real c24 = -C_tip_zz*q_y;
+        const stewart_real C_q_zx = STEWART_FMA(-C_tip_zy, q_z, STEWART_FMA(-m_yz, w_q_z, m_zz*w_q_y)) - c24;
+        const stewart_real c25 = -C_tip_zz*q_x;
+        const stewart_real C_q_zy = STEWART_FMA(C_tip_zx, q_z, STEWART_FMA(-m_zz, w_q_x, m_xz*w_q_z)) + c25;
+        const stewart_real c26 = C_tip_zx*q_y;
+        const stewart_real c27 = -C_tip_zy*q_x;
+        const stewart_real C_q_zz = -c16 - c22 - c26 - c27;
+        /* components of gravity along k x y and along y */
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        /* components of the first moment along k and along -k x y */
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        const stewart_real c28 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real c29 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
+        /* force at the tip that balances gravity */
+        const stewart_real held_x = STEWART_FMA(-c28, z_x, c29*inv_rho*y_x);
+        const stewart_real held_y = STEWART_FMA(-c28, z_y, c29*inv_rho*y_y);
+        const stewart_real held_z = STEWART_FMA(-c28, z_z, c29*inv_rho*y_z);
+        const stewart_real c30 = L_dot*s_x;
+        const stewart_real c31 = inv_rho*STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y,
+            omega_y, k_x*omega_x)), C_us*phi_dot);
+        const stewart_real c32 = inv_L*STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
+        const stewart_real c33 = L_dot*s_y;
+        const stewart_real c34 = L_dot*s_z;
+        /* force at the tip that balances friction */
+        const stewart_real resistance_x = STEWART_FMA(-c32, z_x, STEWART_FMA(c31, y_x, C_p*c30));
+        const stewart_real resistance_y = STEWART_FMA(-c32, z_y, STEWART_FMA(c31, y_y, C_p*c33));
+        const stewart_real resistance_z = STEWART_FMA(-c32, z_z, STEWART_FMA(c31, y_z, C_p*c34));
+        /* (3) derivative of s */
+        const stewart_real s_dot_x = inv_L*(S_dot_x - c30);
+        const stewart_real s_dot_y = inv_L*(S_dot_y - c33);
+        const stewart_real s_dot_z = inv_L*(S_dot_z - c34);
+        const stewart_real c35 = m_xy*q_z;
+        const stewart_real c36 = m_xz*q_y;
+        const stewart_real c37 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c35 - c36;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
+        const stewart_real m_q_yy = -c35 - c37;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
+        const stewart_real m_q_zz = c36 + c37;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
+        out->sum[21][l] = C_tip_xx;
+        out->sum[22][l] = C_tip_xy;
+        out->sum[23][l] = C_tip_xz;
+        out->sum[24][l] = C_q_xx;
+        out->sum[25][l] = C_q_xy;
+        out->sum[26][l] = C_q_xz;
+        out->sum[27][l] = C_tip_yx;
+        out->sum[28][l] = C_tip_yy;
+        out->sum[29][l] = C_tip_yz;
+        out->sum[30][l] = C_q_yx;
+        out->sum[31][l] = C_q_yy;
+        out->sum[32][l] = C_q_yz;
+        out->sum[33][l] = C_tip_zx;
+        out->sum[34][l] = C_tip_zy;
+        out->sum[35][l] = C_tip_zz;
+        out->sum[36][l] = C_q_zx;
+        out->sum[37][l] = C_q_zy;
+        out->sum[38][l] = C_q_zz;
+        out->sum[39][l] = c26 - c20;
+        out->sum[40][l] = STEWART_FMA(C_tip_zy, q_y, -c19);
+        out->sum[41][l] = STEWART_FMA(-C_tip_yz, q_z, -c24);
+        out->sum[42][l] = STEWART_FMA(-C_q_yx, q_z, C_q_zx*q_y);
+        out->sum[43][l] = STEWART_FMA(-C_q_yy, q_z, C_q_zy*q_y);
+        out->sum[44][l] = STEWART_FMA(-C_q_yz, q_z, C_q_zz*q_y);
+        out->sum[45][l] = STEWART_FMA(-C_tip_zx, q_x, c17);
+        out->sum[46][l] = c13 + c27;
+        out->sum[47][l] = STEWART_FMA(C_tip_xz, q_z, c25);
+        out->sum[48][l] = STEWART_FMA(-C_q_zx, q_x, C_q_xx*q_z);
+        out->sum[49][l] = STEWART_FMA(-C_q_zy, q_x, C_q_xy*q_z);
+        out->sum[50][l] = STEWART_FMA(-C_q_zz, q_x, C_q_xz*q_z);
+        out->sum[51][l] = STEWART_FMA(C_tip_yx, q_x, -c18);
+        out->sum[52][l] = STEWART_FMA(-C_tip_xy, q_y, -c23);
+        out->sum[53][l] = -c15 - c21;
+        out->sum[54][l] = STEWART_FMA(-C_q_xx, q_y, C_q_yx*q_x);
+        out->sum[55][l] = STEWART_FMA(-C_q_xy, q_y, C_q_yy*q_x);
+        out->sum[56][l] = STEWART_FMA(-C_q_xz, q_y, C_q_yz*q_x);
+        out->sum[57][l] = held_x;
+        out->sum[58][l] = held_y;
+        out->sum[59][l] = held_z;
+        out->sum[60][l] = STEWART_FMA(-held_y, q_z, held_z*q_y);
+        out->sum[61][l] = STEWART_FMA(-held_z, q_x, held_x*q_z);
+        out->sum[62][l] = STEWART_FMA(-held_x, q_y, held_y*q_x);
+        out->sum[63][l] = resistance_x;
+        out->sum[64][l] = resistance_y;
+        out->sum[65][l] = resistance_z;
+        out->sum[66][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-q_z,
+            resistance_y, q_y*resistance_z));
+        out->sum[67][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-q_x,
+            resistance_z, q_z*resistance_x));
+        out->sum[68][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-q_y,
+            resistance_x, q_x*resistance_y));
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
+        out->H_dot_force[0][l] = s_dot_x;
+        out->H_dot_force[1][l] = s_dot_y;
+        out->H_dot_force[2][l] = s_dot_z;
+        out->H_dot_moment[0][l] = STEWART_FMA(-s_y, w_q_z, STEWART_FMA(-q_z, s_dot_y, STEWART_FMA(s_z,
+            w_q_y, q_y*s_dot_z)));
+        out->H_dot_moment[1][l] = STEWART_FMA(-s_z, w_q_x, STEWART_FMA(-q_x, s_dot_z, STEWART_FMA(s_x,
+            w_q_z, q_z*s_dot_x)));
+        out->H_dot_moment[2][l] = STEWART_FMA(-s_x, w_q_y, STEWART_FMA(-q_y, s_dot_x, STEWART_FMA(s_y,
+            w_q_x, q_x*s_dot_y)));
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
+        out->checked.bad[l] = fault;
+    }
+}
+
 /* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void equations_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at, const equations_pose *pose,
-    stewart_exact_model *one, equations_legs *STEWART_RESTRICT legs, equations_block *STEWART_RESTRICT out)
+    equations_legs *STEWART_RESTRICT legs, equations_block *STEWART_RESTRICT out)
 {
     int l;
-    spread_leg(model, leg, one);
-    equations_of_leg(one, at, pose, legs);
+    equations_leg_of_poses(model, leg, at, pose, legs);
     for (l = 0; l < LANES; ++l) {
         out->number[8*(96 + leg) + l] = legs->H_force[0][l];
         out->number[8*(102 + leg) + l] = legs->H_force[1][l];
@@ -7038,8 +7254,7 @@ static void equations_leg_of_block(
 
 /* Sums over platform and legs of eight poses. */
 static void equations_of_block(
-    const stewart_exact_model *model, const motion_in_lanes *at, stewart_exact_model *one,
-    equations_block *out)
+    const stewart_exact_model *model, const motion_in_lanes *at, equations_block *out)
 {
     int i, l;
     equations_pose pose = {0};
@@ -7051,8 +7266,8 @@ static void equations_of_block(
         out->bad[l] = REAL(0);
     }
     for (i = 0; i < 3; ++i) {
-        equations_leg_of_block(model, 2*i, at, &pose, one, &even, out);
-        equations_leg_of_block(model, 2*i + 1, at, &pose, one, &odd, out);
+        equations_leg_of_block(model, 2*i, at, &pose, &even, out);
+        equations_leg_of_block(model, 2*i + 1, at, &pose, &odd, out);
         add_two(even.sum, odd.sum, 69, i, &out->number[15*LANES]);
     }
     for (i = 0; i < 552; ++i) {
@@ -7067,7 +7282,6 @@ int stewart_exact_equations_batch(
     size_t first;
     int l;
     motion_in_lanes at;
-    leg_in_lanes of_leg;
     equations_block block;
     STEWART_ALIGNED stewart_real row[1344];
     stewart_motion one;
@@ -7076,11 +7290,10 @@ int stewart_exact_equations_batch(
         return STEWART_BAD_ARGUMENT;
     }
     stewart_equations found;
-    of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
         load_motions(motions, first, count, &at);
-        equations_of_block(model, &at, &of_leg.model, &block);
+        equations_of_block(model, &at, &block);
         matrices(at.v[0], at.omega[0], LANES, block.number);
         stewart_real none[LANES];
         not_finite(block.number, 168, none);
@@ -7164,18 +7377,697 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED derivatives_block;
 
+/* Computes one leg of eight poses in lanes. */
+STEWART_APART static void derivatives_leg_of_poses(
+    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_in_lanes *STEWART_RESTRICT at,
+    const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+        const stewart_real h2_x = model->h2_x[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg],
+            J_yz = model->J[4][leg], J_zz = model->J[5][leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real dJ_zx = model->dJ_zx[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
+        const stewart_real C_us = model->C_us[leg];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = pose->B[0][l], B_xy = pose->B[1][l], B_xz = pose->B[2][l], B_yx = pose->B[3][l],
+            B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
+        const stewart_real F = out->F[l];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) omega x q */
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
+        const stewart_real c1 = L_dot*inv_L;
+        /* L_dot / L */
+        const stewart_real L_share = c1;
+        const stewart_real c2 = kappa*theta_dot;
+        const stewart_real lean = c2;
+        const stewart_real c3 = theta_dot*theta_dot;
+        const stewart_real theta_dot2 = c3;
+        const stewart_real c4 = phi_dot*phi_dot;
+        const stewart_real phi_dot2 = c4;
+        const stewart_real c5 = REAL(2)*phi_dot;
+        const stewart_real two_phi_dot = c5;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
+        const stewart_real c6 = k3*k3;
+        const stewart_real k33 = c6;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        const stewart_real c7 = REAL(2)*theta_dot;
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
+        const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c7, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
+        const stewart_real c8 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = STEWART_FMA(c8, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
+        const stewart_real k13 = c8;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+        const stewart_real c9 = STEWART_FMA(-L, h_y, J_xy);
+        const stewart_real a3 = c9;
+        const stewart_real c10 = J_yz*k3;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, c10);
+        const stewart_real c11 = h_y*k3;
+        const stewart_real k3_h = c11;
+        const stewart_real c12 = inv_rho*inv_rho;
+        const stewart_real c13 = inv_L*inv_rho;
+        const stewart_real c14 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -h_z*inv_L;
+        const stewart_real m_leg_yy = M_phi*c12;
+        const stewart_real m_leg_yz = -M_mixed*c13;
+        const stewart_real m_leg_zz = M_theta*c14;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
+        /* components of gravity along k x y and along y */
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        /* k x y */
+        const stewart_real normal_x = STEWART_FMA(k_z, -y_y, k_y*y_z);
+        const stewart_real normal_y = STEWART_FMA(k_x, -y_z, k_z*y_x);
+        const stewart_real normal_z = STEWART_FMA(k_y, -y_x, k_x*y_y);
+        /* omega along k x y, y and k */
+        const stewart_real w_n_omega = STEWART_FMA(normal_z, omega_z, STEWART_FMA(normal_y, omega_y,
+            normal_x*omega_x));
+        const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+        const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
+        const stewart_real c15 = c6*h_x;
+        const stewart_real c16 = STEWART_FMA(h_z*k1, -k3, c15);
+        const stewart_real tau_L = STEWART_FMA(-c11, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-c16, c4, STEWART_FMA(-c3, h_x, C_p*L_dot))));
+        const stewart_real c18 = c7*h_x;
+        const stewart_real c19 = REAL(2)*L;
+        const stewart_real c20 = c19*h_x;
+        const stewart_real c21 = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real c22 = STEWART_FMA(-k3, w_x, k1*w_z);
+        const stewart_real c24 = STEWART_FMA(c9, k1, c10);
+        const stewart_real c25 = STEWART_FMA(-c19, h_z, REAL(2)*J_xz);
+        const stewart_real c26 = c25*k1;
+        const stewart_real c27 = J_zz - J_xx + c20;
+        const stewart_real c28 = c27*k3;
+        const stewart_real c29 = STEWART_FMA(REAL(2), c28, c26);
+        const stewart_real c30 = STEWART_HALF*k1;
+        const stewart_real c31 = STEWART_FMA(STEWART_HALF*c25, -c6, c29*c30);
+        const stewart_real tau_theta = STEWART_FMA(c24, phi_ddot, STEWART_FMA(theta_ddot, J_yy + c20,
+            STEWART_FMA(C_s, -w_y_omega, STEWART_FMA(L_dot, c18, STEWART_FMA(c21, gamma_n, STEWART_FMA(C_us,
+            theta_dot, STEWART_FMA(-c31, c4, STEWART_FMA(-c22, g_k, L_ddot*h_z))))))));
+        const stewart_real c33 = h_y*theta_dot;
+        const stewart_real c34 = c33*k1;
+        const stewart_real c35 = L_dot*c16;
+        const stewart_real c36 = c31*theta_dot;
+        const stewart_real c37 = L_dot*h_y;
+        const stewart_real c38 = c37*k1;
+        const stewart_real c39 = theta_dot*STEWART_FMA(-c9, k3, J_yz*k1);
+        const stewart_real tau_phi = STEWART_FMA(phi_ddot, STEWART_FMA(c25, c8, STEWART_FMA(c27, c6, J_xx)),
+            STEWART_FMA(c24, theta_ddot, STEWART_FMA(L_dot, STEWART_FMA(c16, phi_dot, -c34),
+            STEWART_FMA(theta_dot, STEWART_FMA(c31, phi_dot, c39 - c38), STEWART_FMA(-gamma_n, w_y,
+            STEWART_FMA(phi_dot, c35 + c36, STEWART_FMA(C_us, phi_dot, STEWART_FMA(-L_ddot, c11,
+            STEWART_FMA(C_s, -w_k_omega, c22*gamma_y)))))))));
+        const stewart_real c40 = k3*phi_dot;
+        const stewart_real G_dot_12 = c40;
+        const stewart_real c41 = inv_L*theta_dot;
+        const stewart_real G_dot_21 = -c41;
+        const stewart_real c42 = k1*phi_dot;
+        const stewart_real G_dot_22 = c42*inv_L;
+        const stewart_real c43 = L_dot*c14;
+        const stewart_real G_dot_23 = c43;
+        const stewart_real c44 = c40*inv_rho;
+        const stewart_real G_dot_31 = -c44;
+        const stewart_real c45 = c1*inv_rho;
+        const stewart_real c46 = STEWART_FMA(-c2, inv_rho, -c45);
+        const stewart_real G_dot_32 = c46;
+        const stewart_real c47 = c42*inv_rho;
+        const stewart_real G_dot_33 = c47;
+        const stewart_real c48 = c4*c6;
+        const stewart_real G_ddot_11 = -c3 - c48;
+        const stewart_real c49 = k3*phi_ddot;
+        const stewart_real c50 = c5*k1;
+        const stewart_real G_ddot_12 = STEWART_FMA(c50, theta_dot, c49);
+        const stewart_real c51 = c4*c8;
+        const stewart_real G_ddot_13 = c51 - theta_ddot;
+        const stewart_real G_ddot_21 = STEWART_FMA(-inv_L, theta_ddot, STEWART_FMA(-c51, inv_L,
+            REAL(2)*L_dot*c14*theta_dot));
+        const stewart_real G_ddot_22 = STEWART_FMA(-c43, c50, STEWART_FMA(c41*c5, -k3, inv_L*k1*phi_ddot));
+        const stewart_real c52 = c4*k1*k1;
+        const stewart_real G_ddot_23 = STEWART_FMA(L_ddot, c14, STEWART_FMA(c52, inv_L,
+            STEWART_FMA(REAL(2)*L_dot*L_dot*inv_L*inv_L, -inv_L, c3*inv_L)));
+        const stewart_real G_ddot_31 = STEWART_FMA(-c49, inv_rho, STEWART_FMA(theta_dot,
+            STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c47), STEWART_FMA(-c40, c46, STEWART_FMA(c47, theta_dot,
+            c1*c44))));
+        const stewart_real c53 = inv_rho*kappa;
+        const stewart_real c54 = -c1 - c2;
+        const stewart_real G_ddot_32 = STEWART_FMA(-c53, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c53, c54, -inv_rho*theta_dot*STEWART_FMA(-kappa, kappa, -REAL(1))),
+            STEWART_FMA(-L_ddot, c13, STEWART_FMA(-c52, inv_rho, STEWART_FMA(-c48, inv_rho,
+            L_dot*STEWART_FMA(-c13, c54, c43*inv_rho))))));
+        const stewart_real G_ddot_33 = STEWART_FMA(inv_rho*k1, phi_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c47, kappa, -c44), STEWART_FMA(-c42, c45, STEWART_FMA(c44, theta_dot, c42*c46))));
+        const stewart_real tau_rate_12 = -c18;
+        const stewart_real tau_rate_13 = -c16*c5;
+        const stewart_real tau_rate_21 = c18;
+        const stewart_real c55 = REAL(2)*h_x;
+        const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c55, C_us);
+        const stewart_real tau_rate_23 = -c31*c5;
+        const stewart_real tau_rate_31 = REAL(2)*STEWART_FMA(c16, phi_dot, -c34);
+        const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(REAL(2), -c38, REAL(2)*c39));
+        const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
+        const stewart_real c56 = h_y*phi_ddot;
+        const stewart_real c57 = STEWART_FMA(h_z, -k1, c55*k3);
+        const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c57 - c56));
+        const stewart_real c58 = REAL(4)*h_x;
+        const stewart_real c59 = STEWART_FMA(c30, STEWART_FMA(REAL(2)*h_z, -k1, c58*k3), c6*h_z);
+        const stewart_real tau_place_21 = STEWART_FMA(-c56, k1, STEWART_FMA(-c4, c59, c55*theta_ddot));
+        const stewart_real c60 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c58, STEWART_FMA(REAL(2), -J_xx,
+            REAL(2)*J_zz)));
+        const stewart_real c61 = c28 + c26;
+        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c61,
+            STEWART_FMA(g_k, -w_z, gamma_n*w_x))), k1*STEWART_FMA(J_yz, phi_ddot, STEWART_FMA(gamma_n, w_z,
+            STEWART_FMA(-c4, c60, g_k*w_x))));
+        const stewart_real tau_place_23 = STEWART_FMA(C_s, -w_n_omega, -c21*gamma_y);
+        const stewart_real c62 = c59*phi_dot;
+        const stewart_real tau_place_31 = STEWART_FMA(h_y*k1, -theta_ddot, STEWART_FMA(phi_ddot,
+            REAL(2)*STEWART_FMA(-c8, h_z, c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot, c62),
+            c62*theta_dot)));
+        const stewart_real c63 = L_dot*c57;
+        const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
+            STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(c61, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
+            STEWART_FMA(L_dot*h_z, -k3, c61*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
+            STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c60*phi_dot),
+            STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c60, theta_dot, c63),
+            STEWART_FMA(-L_ddot, h_y, c63*phi_dot)))))));
+        const stewart_real tau_place_33 = STEWART_FMA(gamma_y, w_y, c22*gamma_n);
+        const stewart_real c64 = inv_rho*tau_phi;
+        const stewart_real c65 = inv_L*tau_theta;
+        const stewart_real c66 = tau_L - F;
+        /* force at the tip, less the actuator's */
+        const stewart_real R_tip_x = STEWART_FMA(-c65, z_x, STEWART_FMA(c66, s_x, c64*y_x));
+        const stewart_real R_tip_y = STEWART_FMA(-c65, z_y, STEWART_FMA(c66, s_y, c64*y_y));
+        const stewart_real R_tip_z = STEWART_FMA(-c65, z_z, STEWART_FMA(c66, s_z, c64*y_z));
+        /* slope of a rate, times C_s */
+        const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
+            G_dot_23*z_x));
+        const stewart_real theta_dot_by_S_y = C_s*STEWART_FMA(G_dot_22, y_y, STEWART_FMA(G_dot_21, s_y,
+            G_dot_23*z_y));
+        const stewart_real theta_dot_by_S_z = C_s*STEWART_FMA(G_dot_22, y_z, STEWART_FMA(G_dot_21, s_z,
+            G_dot_23*z_z));
+        const stewart_real phi_dot_by_S_x = C_s*STEWART_FMA(G_dot_31, s_x, STEWART_FMA(G_dot_33, z_x,
+            G_dot_32*y_x));
+        const stewart_real phi_dot_by_S_y = C_s*STEWART_FMA(G_dot_31, s_y, STEWART_FMA(G_dot_33, z_y,
+            G_dot_32*y_y));
+        const stewart_real phi_dot_by_S_z = C_s*STEWART_FMA(G_dot_31, s_z, STEWART_FMA(G_dot_33, z_z,
+            G_dot_32*y_z));
+        const stewart_real c67 = C_s*inv_L;
+        /* gradient of theta, times C_s */
+        const stewart_real C_s_theta_x = -c67*z_x;
+        const stewart_real C_s_theta_y = -c67*z_y;
+        const stewart_real C_s_theta_z = -c67*z_z;
+        const stewart_real c68 = C_s*inv_rho;
+        /* gradient of phi, times C_s */
+        const stewart_real C_s_phi_x = c68*y_x;
+        const stewart_real C_s_phi_y = c68*y_y;
+        const stewart_real C_s_phi_z = c68*y_z;
+        const stewart_real y_by_phi_x = normal_x*theta_dot;
+        const stewart_real y_by_phi_y = normal_y*theta_dot;
+        const stewart_real y_by_phi_z = normal_z*theta_dot;
+        /* friction moment by S */
+        const stewart_real f_S_xx = STEWART_FMA(k_x, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_x,
+            C_s_phi_x*y_by_phi_x));
+        const stewart_real f_S_xy = STEWART_FMA(k_x, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_x,
+            C_s_phi_y*y_by_phi_x));
+        const stewart_real f_S_xz = STEWART_FMA(k_x, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_x,
+            C_s_phi_z*y_by_phi_x));
+        const stewart_real f_S_yx = STEWART_FMA(k_y, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_y,
+            C_s_phi_x*y_by_phi_y));
+        const stewart_real f_S_yy = STEWART_FMA(k_y, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_y,
+            C_s_phi_y*y_by_phi_y));
+        const stewart_real f_S_yz = STEWART_FMA(k_y, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_y,
+            C_s_phi_z*y_by_phi_y));
+        const stewart_real f_S_zx = STEWART_FMA(k_z, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_z,
+            C_s_phi_x*y_by_phi_z));
+        const stewart_real f_S_zy = STEWART_FMA(k_z, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_z,
+            C_s_phi_y*y_by_phi_z));
+        const stewart_real f_S_zz = STEWART_FMA(k_z, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_z,
+            C_s_phi_z*y_by_phi_z));
+        /* friction moment by S_dot */
+        const stewart_real f_S_dot_xx = STEWART_FMA(C_s_phi_x, k_x, C_s_theta_x*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(C_s_phi_y, k_x, C_s_theta_y*y_x);
+        const stewart_real f_S_dot_xz = STEWART_FMA(C_s_phi_z, k_x, C_s_theta_z*y_x);
+        const stewart_real f_S_dot_yx = STEWART_FMA(C_s_phi_x, k_y, C_s_theta_x*y_y);
+        const stewart_real f_S_dot_yy = STEWART_FMA(C_s_phi_y, k_y, C_s_theta_y*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(C_s_phi_z, k_y, C_s_theta_z*y_y);
+        const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
+        const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
+        const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
+        const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_ddot_21, h_z,
+            STEWART_FMA(G_dot_31, tau_rate_13, G_dot_21*tau_rate_12)));
+        const stewart_real A_0_leg_12 = STEWART_FMA(c12*k3, -tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
+            STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22,
+            tau_rate_12, C_p*G_dot_12)))));
+        const stewart_real c69 = c14*tau_theta;
+        const stewart_real A_0_leg_13 = STEWART_FMA(-inv_L, tau_place_12, STEWART_FMA(-G_ddot_33, k3_h,
+            STEWART_FMA(G_dot_33, tau_rate_13, STEWART_FMA(G_dot_23, tau_rate_12, STEWART_FMA(C_p,
+            -theta_dot, G_ddot_23*h_z))) + c69));
+        const stewart_real c70 = c13*tau_phi;
+        const stewart_real A_0_leg_21 = STEWART_FMA(inv_rho, STEWART_FMA(G_ddot_31, M_phi,
+            STEWART_FMA(G_ddot_21, M_mixed, STEWART_FMA(G_dot_31, tau_rate_33, STEWART_FMA(-G_ddot_11, k3_h,
+            G_dot_21*tau_rate_32))) + tau_place_31), -c70);
+        const stewart_real A_0_leg_22 = STEWART_FMA(inv_rho, STEWART_FMA(-G_ddot_12, k3_h,
+            STEWART_FMA(G_ddot_32, M_phi, STEWART_FMA(G_ddot_22, M_mixed, STEWART_FMA(G_dot_22, tau_rate_32,
+            STEWART_FMA(G_dot_12, tau_rate_31, STEWART_FMA(inv_rho, tau_place_33,
+            G_dot_32*tau_rate_33)))))), STEWART_FMA(c66*inv_rho, k3, c13*k1*tau_theta));
+        const stewart_real A_0_leg_23 = STEWART_FMA(inv_rho, STEWART_FMA(-inv_L, tau_place_32,
+            STEWART_FMA(G_ddot_33, M_phi, STEWART_FMA(-G_ddot_13, k3_h, STEWART_FMA(-tau_rate_31, theta_dot,
+            STEWART_FMA(G_dot_23, tau_rate_32, STEWART_FMA(G_dot_33, tau_rate_33, G_ddot_23*M_mixed)))))),
+            c70*kappa);
+        const stewart_real A_0_leg_31 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_31, M_mixed,
+            STEWART_FMA(G_ddot_21, M_theta, STEWART_FMA(G_dot_31, tau_rate_23, STEWART_FMA(G_dot_21,
+            tau_rate_22, G_ddot_11*h_z))) + tau_place_21), c69);
+        const stewart_real A_0_leg_32 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_32, M_mixed,
+            STEWART_FMA(G_ddot_22, M_theta, STEWART_FMA(G_ddot_12, h_z, STEWART_FMA(inv_rho, tau_place_23,
+            STEWART_FMA(G_dot_32, tau_rate_23, STEWART_FMA(G_dot_22, tau_rate_22,
+            G_dot_12*tau_rate_21)))))), c12*k1*tau_phi);
+        const stewart_real A_0_leg_33 = STEWART_FMA(-inv_L, STEWART_FMA(-inv_L, tau_place_22,
+            STEWART_FMA(G_ddot_33, M_mixed, STEWART_FMA(G_ddot_13, h_z, STEWART_FMA(G_dot_33, tau_rate_23,
+            STEWART_FMA(-tau_rate_21, theta_dot, STEWART_FMA(G_dot_23, tau_rate_22, G_ddot_23*M_theta)))))),
+            c66*inv_L);
+        const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_31, z_x, STEWART_FMA(A_0_leg_21, y_x,
+            A_0_leg_11*s_x));
+        const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_32, z_x, STEWART_FMA(A_0_leg_22, y_x,
+            A_0_leg_12*s_x));
+        const stewart_real A_0_T_xz = STEWART_FMA(A_0_leg_33, z_x, STEWART_FMA(A_0_leg_23, y_x,
+            A_0_leg_13*s_x));
+        const stewart_real A_0_T_ys = STEWART_FMA(A_0_leg_31, z_y, STEWART_FMA(A_0_leg_21, y_y,
+            A_0_leg_11*s_y));
+        const stewart_real A_0_T_yy = STEWART_FMA(A_0_leg_32, z_y, STEWART_FMA(A_0_leg_22, y_y,
+            A_0_leg_12*s_y));
+        const stewart_real A_0_T_yz = STEWART_FMA(A_0_leg_33, z_y, STEWART_FMA(A_0_leg_23, y_y,
+            A_0_leg_13*s_y));
+        const stewart_real A_0_T_zs = STEWART_FMA(A_0_leg_31, z_z, STEWART_FMA(A_0_leg_21, y_z,
+            A_0_leg_11*s_z));
+        const stewart_real A_0_T_zy = STEWART_FMA(A_0_leg_32, z_z, STEWART_FMA(A_0_leg_22, y_z,
+            A_0_leg_12*s_z));
+        const stewart_real A_0_T_zz = STEWART_FMA(A_0_leg_33, z_z, STEWART_FMA(A_0_leg_23, y_z,
+            A_0_leg_13*s_z));
+        /* force at the tip by S */
+        const stewart_real A_0_xx = STEWART_FMA(A_0_T_xz, z_x, STEWART_FMA(A_0_T_xy, y_x, A_0_T_xs*s_x));
+        const stewart_real A_0_xy = STEWART_FMA(A_0_T_xz, z_y, STEWART_FMA(A_0_T_xy, y_y, A_0_T_xs*s_y));
+        const stewart_real A_0_xz = STEWART_FMA(A_0_T_xz, z_z, STEWART_FMA(A_0_T_xy, y_z, A_0_T_xs*s_z));
+        const stewart_real A_0_yx = STEWART_FMA(A_0_T_yz, z_x, STEWART_FMA(A_0_T_yy, y_x, A_0_T_ys*s_x));
+        const stewart_real A_0_yy = STEWART_FMA(A_0_T_yz, z_y, STEWART_FMA(A_0_T_yy, y_y, A_0_T_ys*s_y));
+        const stewart_real A_0_yz = STEWART_FMA(A_0_T_yz, z_z, STEWART_FMA(A_0_T_yy, y_z, A_0_T_ys*s_z));
+        const stewart_real A_0_zx = STEWART_FMA(A_0_T_zz, z_x, STEWART_FMA(A_0_T_zy, y_x, A_0_T_zs*s_x));
+        const stewart_real A_0_zy = STEWART_FMA(A_0_T_zz, z_y, STEWART_FMA(A_0_T_zy, y_y, A_0_T_zs*s_y));
+        const stewart_real A_0_zz = STEWART_FMA(A_0_T_zz, z_z, STEWART_FMA(A_0_T_zy, y_z, A_0_T_zs*s_z));
+        const stewart_real c71 = REAL(2)*h_z;
+        const stewart_real c72 = REAL(2)*k3_h;
+        const stewart_real A_1_leg_11 = STEWART_FMA(-G_dot_31, c72, STEWART_FMA(G_dot_21, c71, C_p));
+        const stewart_real A_1_leg_12 = STEWART_FMA(-G_dot_32, c72, STEWART_FMA(inv_rho, tau_rate_13,
+            G_dot_22*c71));
+        const stewart_real A_1_leg_13 = STEWART_FMA(-G_dot_33, c72, STEWART_FMA(-inv_L, tau_rate_12,
+            REAL(2)*G_dot_23*h_z));
+        const stewart_real c73 = REAL(2)*M_mixed;
+        const stewart_real c74 = REAL(2)*M_phi;
+        const stewart_real A_1_leg_21 = inv_rho*STEWART_FMA(G_dot_31, c74, STEWART_FMA(G_dot_21, c73,
+            tau_rate_31));
+        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c72, STEWART_FMA(G_dot_32, c74,
+            STEWART_FMA(G_dot_22, c73, inv_rho*tau_rate_33)));
+        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(G_dot_33, c74,
+            STEWART_FMA(c7, k3_h, G_dot_23*c73)));
+        const stewart_real c75 = REAL(2)*M_theta;
+        const stewart_real A_1_leg_31 = -inv_L*STEWART_FMA(G_dot_31, c73, STEWART_FMA(G_dot_21, c75,
+            tau_rate_21));
+        const stewart_real A_1_leg_32 = -inv_L*STEWART_FMA(inv_rho, tau_rate_23, STEWART_FMA(G_dot_32, c73,
+            STEWART_FMA(G_dot_22, c75, G_dot_12*c71)));
+        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(G_dot_33, c73, STEWART_FMA(-c7, h_z,
+            STEWART_FMA(-inv_L, tau_rate_22, G_dot_23*c75)));
+        const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_31, z_x, STEWART_FMA(A_1_leg_21, y_x,
+            A_1_leg_11*s_x));
+        const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
+            A_1_leg_12*s_x));
+        const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_23, y_x, STEWART_FMA(A_1_leg_33, z_x,
+            A_1_leg_13*s_x));
+        const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_31, z_y, STEWART_FMA(A_1_leg_21, y_y,
+            A_1_leg_11*s_y));
+        const stewart_real A_1_T_yy = STEWART_FMA(A_1_leg_32, z_y, STEWART_FMA(A_1_leg_22, y_y,
+            A_1_leg_12*s_y));
+        const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_23, y_y, STEWART_FMA(A_1_leg_33, z_y,
+            A_1_leg_13*s_y));
+        const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_31, z_z, STEWART_FMA(A_1_leg_21, y_z,
+            A_1_leg_11*s_z));
+        const stewart_real A_1_T_zy = STEWART_FMA(A_1_leg_32, z_z, STEWART_FMA(A_1_leg_22, y_z,
+            A_1_leg_12*s_z));
+        const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_23, y_z, STEWART_FMA(A_1_leg_33, z_z,
+            A_1_leg_13*s_z));
+        /* force at the tip by S_dot */
+        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xy, y_x, STEWART_FMA(A_1_T_xs, s_x, A_1_T_xz*z_x));
+        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xy, y_y, STEWART_FMA(A_1_T_xs, s_y, A_1_T_xz*z_y));
+        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xy, y_z, STEWART_FMA(A_1_T_xs, s_z, A_1_T_xz*z_z));
+        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yy, y_x, STEWART_FMA(A_1_T_ys, s_x, A_1_T_yz*z_x));
+        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yy, y_y, STEWART_FMA(A_1_T_ys, s_y, A_1_T_yz*z_y));
+        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yy, y_z, STEWART_FMA(A_1_T_ys, s_z, A_1_T_yz*z_z));
+        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zs, s_x, A_1_T_zz*z_x));
+        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zs, s_y, A_1_T_zz*z_y));
+        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zs, s_z, A_1_T_zz*z_z));
+        /* derivative of the force by rotation about the tip */
+        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
+            STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
+        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
+            STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy, m_xy, B_xy*m_xx)))) + A_0_xy;
+        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(A_1_xx, omega_y,
+            STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz, m_xy, B_xz*m_xx)))) + A_0_xz;
+        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(A_1_yy, omega_z,
+            STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx, m_yy, B_xx*m_xy)))) + A_0_yx;
+        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(A_1_yz, omega_x,
+            STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy, m_yy, B_xy*m_xy)))) + A_0_yy;
+        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(A_1_yx, omega_y,
+            STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz, m_yy, B_xz*m_xy)))) + A_0_yz;
+        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(A_1_zy, omega_z,
+            STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx, m_yz, B_xx*m_xz)))) + A_0_zx;
+        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(A_1_zz, omega_x,
+            STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
+        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
+            STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
+        const stewart_real c76 = m_xy*omega_z;
+        const stewart_real c77 = m_xz*omega_y;
+        const stewart_real Y_xx = c76 - c77 + A_1_xx;
+        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
+        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
+        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
+        const stewart_real c78 = m_yz*omega_x;
+        const stewart_real Y_yy = c78 - c76 + A_1_yy;
+        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
+        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
+        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
+        const stewart_real Y_zz = c77 - c78 + A_1_zz;
+        const stewart_real c79 = X_xy*q_z;
+        const stewart_real Z_xx = STEWART_FMA(X_xz, q_y, -c79);
+        const stewart_real c80 = X_xx*q_z;
+        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, c80);
+        const stewart_real c81 = X_xx*q_y;
+        const stewart_real Z_xz = STEWART_FMA(X_xy, q_x, -c81);
+        const stewart_real c82 = X_yy*q_z;
+        const stewart_real Z_yx = STEWART_FMA(X_yz, q_y, -c82);
+        const stewart_real c83 = X_yx*q_z;
+        const stewart_real c84 = -X_yz*q_x;
+        const stewart_real Z_yy = c83 + c84;
+        const stewart_real c85 = -X_yy*q_x;
+        const stewart_real Z_yz = -X_yx*q_y - c85;
+        const stewart_real c86 = -X_zz*q_y;
+        const stewart_real Z_zx = -X_zy*q_z - c86;
+        const stewart_real c87 = -X_zz*q_x;
+        const stewart_real Z_zy = STEWART_FMA(X_zx, q_z, c87);
+        const stewart_real c88 = X_zx*q_y;
+        const stewart_real Z_zz = STEWART_FMA(X_zy, q_x, -c88);
+        const stewart_real c89 = m_xy*w_q_z;
+        const stewart_real c90 = m_xz*w_q_y;
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, c90 - f_S_dot_xx - c89));
+        const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
+            STEWART_FMA(m_xx, w_q_z, -f_S_dot_yx))));
+        const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
+            STEWART_FMA(m_xy, w_q_x, -f_S_dot_zx))));
+        const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
+            STEWART_FMA(m_yz, w_q_y, -f_S_dot_xy))));
+        const stewart_real c91 = m_yz*w_q_x;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, c89 - f_S_dot_yy - c91));
+        const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
+            STEWART_FMA(m_yy, w_q_x, -f_S_dot_zy))));
+        const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
+            STEWART_FMA(m_zz, w_q_y, -f_S_dot_xz))));
+        const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
+            STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c91 - f_S_dot_zz - c90));
+        /* derivative of the moment by rotation about the tip */
+        const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c83 - c88;
+        const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
+            f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c82);
+        const stewart_real Q_xz = STEWART_FMA(X_yz, q_z, STEWART_FMA(-f_S_dot_xy, omega_x,
+            f_S_dot_xx*omega_y) + f_S_xz + R_tip_y) + c86;
+        const stewart_real Q_yx = STEWART_FMA(X_zx, q_x, STEWART_FMA(-f_S_dot_yz, omega_y,
+            f_S_dot_yy*omega_z) + f_S_yx + R_tip_z) - c80;
+        const stewart_real Q_yy = STEWART_FMA(X_zy, q_x, STEWART_FMA(-f_S_dot_yx, omega_z,
+            f_S_dot_yz*omega_x) + f_S_yy) - c79;
+        const stewart_real Q_yz = STEWART_FMA(-X_xz, q_z, STEWART_FMA(-f_S_dot_yy, omega_x,
+            f_S_dot_yx*omega_y) + f_S_yz - R_tip_x) - c87;
+        const stewart_real Q_zx = STEWART_FMA(-X_yx, q_x, STEWART_FMA(-f_S_dot_zz, omega_y,
+            f_S_dot_zy*omega_z) + f_S_zx - R_tip_y + c81);
+        const stewart_real Q_zy = STEWART_FMA(X_xy, q_y, STEWART_FMA(-f_S_dot_zx, omega_z,
+            f_S_dot_zz*omega_x) + f_S_zy + R_tip_x) + c85;
+        const stewart_real Q_zz = STEWART_FMA(X_xz, q_y, STEWART_FMA(-f_S_dot_zy, omega_x,
+            f_S_dot_zx*omega_y) + f_S_zz) + c84;
+        const stewart_real c92 = m_xy*q_z;
+        const stewart_real c93 = m_xz*q_y;
+        const stewart_real c94 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c92 - c93;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
+        const stewart_real m_q_yy = -c92 - c94;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
+        const stewart_real m_q_zz = c93 + c94;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
+        out->sum[21][l] = A_0_xx;
+        out->sum[22][l] = A_0_xy;
+        out->sum[23][l] = A_0_xz;
+        out->sum[24][l] = Z_xx;
+        out->sum[25][l] = Z_xy;
+        out->sum[26][l] = Z_xz;
+        out->sum[27][l] = A_0_yx;
+        out->sum[28][l] = A_0_yy;
+        out->sum[29][l] = A_0_yz;
+        out->sum[30][l] = Z_yx;
+        out->sum[31][l] = Z_yy;
+        out->sum[32][l] = Z_yz;
+        out->sum[33][l] = A_0_zx;
+        out->sum[34][l] = A_0_zy;
+        out->sum[35][l] = A_0_zz;
+        out->sum[36][l] = Z_zx;
+        out->sum[37][l] = Z_zy;
+        out->sum[38][l] = Z_zz;
+        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
+        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
+        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
+        out->sum[42][l] = STEWART_FMA(-Q_xz, q_y, Q_xy*q_z);
+        out->sum[43][l] = STEWART_FMA(-Q_xx, q_z, Q_xz*q_x);
+        out->sum[44][l] = STEWART_FMA(-Q_xy, q_x, Q_xx*q_y);
+        out->sum[45][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
+        out->sum[46][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
+        out->sum[47][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
+        out->sum[48][l] = STEWART_FMA(-Q_yz, q_y, Q_yy*q_z);
+        out->sum[49][l] = STEWART_FMA(-Q_yx, q_z, Q_yz*q_x);
+        out->sum[50][l] = STEWART_FMA(-Q_yy, q_x, Q_yx*q_y);
+        out->sum[51][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
+        out->sum[52][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
+        out->sum[53][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
+        out->sum[54][l] = STEWART_FMA(-Q_zz, q_y, Q_zy*q_z);
+        out->sum[55][l] = STEWART_FMA(-Q_zx, q_z, Q_zz*q_x);
+        out->sum[56][l] = STEWART_FMA(-Q_zy, q_x, Q_zx*q_y);
+        out->sum[57][l] = A_1_xx;
+        out->sum[58][l] = A_1_xy;
+        out->sum[59][l] = A_1_xz;
+        out->sum[60][l] = V_xx;
+        out->sum[61][l] = V_xy;
+        out->sum[62][l] = V_xz;
+        out->sum[63][l] = A_1_yx;
+        out->sum[64][l] = A_1_yy;
+        out->sum[65][l] = A_1_yz;
+        out->sum[66][l] = V_yx;
+        out->sum[67][l] = V_yy;
+        out->sum[68][l] = V_yz;
+        out->sum[69][l] = A_1_zx;
+        out->sum[70][l] = A_1_zy;
+        out->sum[71][l] = A_1_zz;
+        out->sum[72][l] = V_zx;
+        out->sum[73][l] = V_zy;
+        out->sum[74][l] = V_zz;
+        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, STEWART_FMA(A_1_zx, q_y, -f_S_dot_xx));
+        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, STEWART_FMA(A_1_zy, q_y, -f_S_dot_xy));
+        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, STEWART_FMA(A_1_zz, q_y, -f_S_dot_xz));
+        out->sum[78][l] = STEWART_FMA(-f_S_dot_xz, q_y, STEWART_FMA(-V_yx, q_z, STEWART_FMA(f_S_dot_xy, q_z,
+            V_zx*q_y)));
+        out->sum[79][l] = STEWART_FMA(-f_S_dot_xx, q_z, STEWART_FMA(-V_yy, q_z, STEWART_FMA(f_S_dot_xz, q_x,
+            V_zy*q_y)));
+        out->sum[80][l] = STEWART_FMA(-f_S_dot_xy, q_x, STEWART_FMA(-V_yz, q_z, STEWART_FMA(f_S_dot_xx, q_y,
+            V_zz*q_y)));
+        out->sum[81][l] = STEWART_FMA(-A_1_zx, q_x, STEWART_FMA(A_1_xx, q_z, -f_S_dot_yx));
+        out->sum[82][l] = STEWART_FMA(-A_1_zy, q_x, STEWART_FMA(A_1_xy, q_z, -f_S_dot_yy));
+        out->sum[83][l] = STEWART_FMA(-A_1_zz, q_x, STEWART_FMA(A_1_xz, q_z, -f_S_dot_yz));
+        out->sum[84][l] = STEWART_FMA(-f_S_dot_yz, q_y, STEWART_FMA(-V_zx, q_x, STEWART_FMA(f_S_dot_yy, q_z,
+            V_xx*q_z)));
+        out->sum[85][l] = STEWART_FMA(-f_S_dot_yx, q_z, STEWART_FMA(-V_zy, q_x, STEWART_FMA(f_S_dot_yz, q_x,
+            V_xy*q_z)));
+        out->sum[86][l] = STEWART_FMA(-f_S_dot_yy, q_x, STEWART_FMA(-V_zz, q_x, STEWART_FMA(f_S_dot_yx, q_y,
+            V_xz*q_z)));
+        out->sum[87][l] = STEWART_FMA(-A_1_xx, q_y, STEWART_FMA(A_1_yx, q_x, -f_S_dot_zx));
+        out->sum[88][l] = STEWART_FMA(-A_1_xy, q_y, STEWART_FMA(A_1_yy, q_x, -f_S_dot_zy));
+        out->sum[89][l] = STEWART_FMA(-A_1_xz, q_y, STEWART_FMA(A_1_yz, q_x, -f_S_dot_zz));
+        out->sum[90][l] = STEWART_FMA(-f_S_dot_zz, q_y, STEWART_FMA(-V_xx, q_y, STEWART_FMA(f_S_dot_zy, q_z,
+            V_yx*q_x)));
+        out->sum[91][l] = STEWART_FMA(-f_S_dot_zx, q_z, STEWART_FMA(-V_xy, q_y, STEWART_FMA(f_S_dot_zz, q_x,
+            V_yy*q_x)));
+        out->sum[92][l] = STEWART_FMA(-f_S_dot_zy, q_x, STEWART_FMA(-V_xz, q_y, STEWART_FMA(f_S_dot_zx, q_y,
+            V_yz*q_x)));
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
+        out->checked.bad[l] = fault;
+    }
+}
+
 /* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void derivatives_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at,
-    stewart_real (*STEWART_RESTRICT acting)[LANES], const derivatives_pose *pose, stewart_exact_model *one,
+    stewart_real (*STEWART_RESTRICT acting)[LANES], const derivatives_pose *pose,
     derivatives_legs *STEWART_RESTRICT legs, derivatives_block *STEWART_RESTRICT out)
 {
     int l;
-    spread_leg(model, leg, one);
     for (l = 0; l < LANES; ++l) {
         legs->F[l] = acting[leg][l];
     }
-    derivatives_of_leg(one, at, pose, legs);
+    derivatives_leg_of_poses(model, leg, at, pose, legs);
     for (l = 0; l < LANES; ++l) {
         out->number[8*(93 + leg) + l] = legs->H_force[0][l];
         out->number[8*(99 + leg) + l] = legs->H_force[1][l];
@@ -7192,7 +8084,7 @@ static void derivatives_leg_of_block(
 /* Sums over platform and legs of eight poses. */
 static void derivatives_of_block(
     const stewart_exact_model *model, const motion_in_lanes *at, stewart_real acting[6][LANES],
-    stewart_exact_model *one, derivatives_block *out)
+    derivatives_block *out)
 {
     int i, l;
     derivatives_pose pose;
@@ -7204,8 +8096,8 @@ static void derivatives_of_block(
         out->bad[l] = REAL(0);
     }
     for (i = 0; i < 3; ++i) {
-        derivatives_leg_of_block(model, 2*i, at, acting, &pose, one, &even, out);
-        derivatives_leg_of_block(model, 2*i + 1, at, acting, &pose, one, &odd, out);
+        derivatives_leg_of_block(model, 2*i, at, acting, &pose, &even, out);
+        derivatives_leg_of_block(model, 2*i + 1, at, acting, &pose, &odd, out);
         add_two(even.sum, odd.sum, 93, i, &out->number[0*LANES]);
     }
     for (i = 0; i < 744; ++i) {
@@ -7220,7 +8112,6 @@ int stewart_exact_derivatives_batch(
     size_t first;
     int l;
     motion_in_lanes at;
-    leg_in_lanes of_leg;
     derivatives_block block;
     STEWART_ALIGNED stewart_real row[1034];
     stewart_motion one;
@@ -7232,7 +8123,6 @@ int stewart_exact_derivatives_batch(
         return STEWART_BAD_ARGUMENT;
     }
     stewart_derivatives found;
-    of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
         load_motions(motions, first, count, &at);
@@ -7248,7 +8138,7 @@ int stewart_exact_derivatives_batch(
         part.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U*first] : NULL;
         const int held = stewart_exact_forces_batch(model, size_of_block, &part, F, NULL);
         load_forces(F, 0, size_of_block, acting);
-        derivatives_of_block(model, &at, acting, &of_leg.model, &block);
+        derivatives_of_block(model, &at, acting, &block);
         if (held != STEWART_OK) {
             for (l = 0; l < LANES; ++l) {
                 block.bad[l] = REAL(1);
@@ -7322,14 +8212,209 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED bias_block;
 
+/* Computes one leg of eight poses in lanes. */
+STEWART_APART static void bias_leg_of_poses(
+    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_in_lanes *STEWART_RESTRICT at,
+    const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+        const stewart_real h2_x = model->h2_x[leg];
+        const stewart_real h2_y = model->h2_y[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real dJ_zx = model->dJ_zx[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
+        const stewart_real C_us = model->C_us[leg];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real B_0_xx = pose->B_0[0][l], B_0_xy = pose->B_0[1][l], B_0_xz = pose->B_0[2][l],
+            B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
+            B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* relative component of the normal along s: rounding */
+        const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
+            k_cross_S_x*s_x));
+        /* one over |s x normal| */
+        const stewart_real inv_across = STEWART_FMA(STEWART_HALF*inv_rho*n_along_s, n_along_s, inv_rho);
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_across*s_cross_normal_x;
+        const stewart_real z_y = inv_across*s_cross_normal_y;
+        const stewart_real z_z = inv_across*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) omega x q */
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        /* (7) acceleration of the platform point, a = alpha = 0 */
+        const stewart_real S_ddot_x = STEWART_FMA(B_0_xz, q_z, STEWART_FMA(B_0_xy, q_y, B_0_xx*q_x));
+        const stewart_real S_ddot_y = STEWART_FMA(B_0_yz, q_z, STEWART_FMA(B_0_yy, q_y, B_0_yx*q_x));
+        const stewart_real S_ddot_z = STEWART_FMA(B_0_zz, q_z, STEWART_FMA(B_0_zy, q_y, B_0_zx*q_x));
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
+        const stewart_real c1 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
+        const stewart_real k13 = c1;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
+        const stewart_real k3_h = h_y*k3;
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
+        const stewart_real M_phi_L = STEWART_FMA(h_z, -k13, h_x*k33);
+        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
+        const stewart_real bend = L_dot*theta_dot;
+        /* components of gravity along k x y and along y */
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        /* components of the first moment along k and along -k x y */
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        /* (20) generalized forces about y and about k */
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
+        /* (21) K = Q_y y + Q_z z */
+        const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        /* (24) known part of the actuator force for this K */
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot))));
+        /* force at the tip */
+        const stewart_real R_tip_x = STEWART_FMA(D, s_x, K_x);
+        const stewart_real R_tip_y = STEWART_FMA(D, s_y, K_y);
+        const stewart_real R_tip_z = STEWART_FMA(D, s_z, K_z);
+        out->sum[0][l] = R_tip_x;
+        out->sum[1][l] = R_tip_y;
+        out->sum[2][l] = R_tip_z;
+        out->sum[3][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-R_tip_y,
+            q_z, R_tip_z*q_y));
+        out->sum[4][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-R_tip_z,
+            q_x, R_tip_x*q_z));
+        out->sum[5][l] = STEWART_FMA(C_s, -STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-R_tip_x,
+            q_y, R_tip_y*q_x));
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
+        out->checked.bad[l] = fault;
+    }
+}
+
 /* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void bias_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at, const bias_pose *pose,
-    stewart_exact_model *one, bias_legs *STEWART_RESTRICT legs, bias_block *STEWART_RESTRICT out)
+    bias_legs *STEWART_RESTRICT legs, bias_block *STEWART_RESTRICT out)
 {
     int l;
-    spread_leg(model, leg, one);
-    bias_of_leg(one, at, pose, legs);
+    bias_leg_of_poses(model, leg, at, pose, legs);
     for (l = 0; l < LANES; ++l) {
         const stewart_real fault = STEWART_LARGER(legs->checked.bad[l], out->bad[l]);
         out->bad[l] = fault;
@@ -7337,8 +8422,7 @@ static void bias_leg_of_block(
 }
 
 /* Sums over platform and legs of eight poses. */
-static void bias_of_block(
-    const stewart_exact_model *model, const motion_in_lanes *at, stewart_exact_model *one, bias_block *out)
+static void bias_of_block(const stewart_exact_model *model, const motion_in_lanes *at, bias_block *out)
 {
     int i, l;
     bias_pose pose;
@@ -7350,8 +8434,8 @@ static void bias_of_block(
         out->bad[l] = REAL(0);
     }
     for (i = 0; i < 3; ++i) {
-        bias_leg_of_block(model, 2*i, at, &pose, one, &even, out);
-        bias_leg_of_block(model, 2*i + 1, at, &pose, one, &odd, out);
+        bias_leg_of_block(model, 2*i, at, &pose, &even, out);
+        bias_leg_of_block(model, 2*i + 1, at, &pose, &odd, out);
         add_two(even.sum, odd.sum, 6, i, &out->number[0*LANES]);
     }
     for (i = 0; i < 48; ++i) {
@@ -7366,7 +8450,6 @@ int stewart_exact_bias_and_friction_batch(
     size_t first;
     int l;
     motion_in_lanes at;
-    leg_in_lanes of_leg;
     bias_block block;
     STEWART_ALIGNED stewart_real row[48];
     stewart_motion one;
@@ -7375,11 +8458,10 @@ int stewart_exact_bias_and_friction_batch(
         return STEWART_BAD_ARGUMENT;
     }
     stewart_real found[6];
-    of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
         load_motions(motions, first, count, &at);
-        bias_of_block(model, &at, &of_leg.model, &block);
+        bias_of_block(model, &at, &block);
         stewart_real none[LANES];
         not_finite(block.number, 6, none);
         for (l = 0; l < LANES; ++l) {
@@ -7425,18 +8507,271 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 if the function for one pose must compute the pose, else 0 */
 } STEWART_ALIGNED forward_block;
 
+/* Computes one leg of eight poses in lanes. */
+STEWART_APART static void forward_leg_of_poses(
+    const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_in_lanes *STEWART_RESTRICT at,
+    const forward_pose *STEWART_RESTRICT pose, forward_legs *STEWART_RESTRICT out)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+        const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+        const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+        const stewart_real C_p = model->C_p[leg];
+        const stewart_real C_s = model->C_s[leg];
+        const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+        const stewart_real h2_x = model->h2_x[leg];
+        const stewart_real h2_y = model->h2_y[leg];
+        const stewart_real h2_z = model->h2_z[leg];
+        const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+        const stewart_real J_xx = model->J[0][leg], J_xy = model->J[1][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg];
+        const stewart_real J2_xz = model->J2_xz[leg];
+        const stewart_real dJ_zx = model->dJ_zx[leg];
+        const stewart_real g_k = model->g_k[leg];
+        const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
+        const stewart_real C_us = model->C_us[leg];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real B_0_xx = pose->B_0[0][l], B_0_xy = pose->B_0[1][l], B_0_xz = pose->B_0[2][l],
+            B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
+            B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
+        const stewart_real F = out->F[l];
+        const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) component of the leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        /* (2) leg length, and distance of the tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* relative component of the normal along s: rounding */
+        const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
+            k_cross_S_x*s_x));
+        /* one over |s x normal| */
+        const stewart_real inv_across = STEWART_FMA(STEWART_HALF*inv_rho*n_along_s, n_along_s, inv_rho);
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_across*s_cross_normal_x;
+        const stewart_real z_y = inv_across*s_cross_normal_y;
+        const stewart_real z_z = inv_across*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) omega x q */
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        /* (7) acceleration of the platform point, a = alpha = 0 */
+        const stewart_real S_ddot_x = STEWART_FMA(B_0_xz, q_z, STEWART_FMA(B_0_xy, q_y, B_0_xx*q_x));
+        const stewart_real S_ddot_y = STEWART_FMA(B_0_yz, q_z, STEWART_FMA(B_0_yy, q_y, B_0_yx*q_x));
+        const stewart_real S_ddot_z = STEWART_FMA(B_0_zz, q_z, STEWART_FMA(B_0_zy, q_y, B_0_zx*q_x));
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        /* (9) accelerations of the joint coordinates without the rotation of the leg frame about s */
+        const stewart_real own_theta_ddot = STEWART_FMA(REAL(2)*L_share, -theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
+        const stewart_real c1 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
+        const stewart_real k13 = c1;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
+        const stewart_real k3_h = h_y*k3;
+        /* (19) derivatives of M_phi / 2 by theta and L, of M_mixed by theta */
+        const stewart_real M_phi_L = STEWART_FMA(h_z, -k13, h_x*k33);
+        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
+        const stewart_real bend = L_dot*theta_dot;
+        /* components of gravity along k x y and along y */
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        /* components of the first moment along k and along -k x y */
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        /* (20) generalized forces about y and about k */
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(C_s, -STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA(bend*h2_y, -k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(STEWART_HALF, -c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(C_s, -STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
+        /* (21) K = Q_y y + Q_z z */
+        const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        /* (24) known part of the actuator force for this K */
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_x, -theta_dot2, C_p*L_dot))));
+        const stewart_real c4 = F - D;
+        /* force on the platform at the tip */
+        const stewart_real push_x = STEWART_FMA(c4, s_x, -K_x);
+        const stewart_real push_y = STEWART_FMA(c4, s_y, -K_y);
+        const stewart_real push_z = STEWART_FMA(c4, s_z, -K_z);
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -h_z*inv_L;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
+        const stewart_real m_leg_zz = M_theta*inv_L*inv_L;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
+        const stewart_real c5 = m_xy*q_z;
+        const stewart_real c6 = m_xz*q_y;
+        const stewart_real c7 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c5 - c6;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
+        const stewart_real m_q_yy = -c5 - c7;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
+        const stewart_real m_q_zz = c6 + c7;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
+        out->sum[21][l] = push_x;
+        out->sum[22][l] = push_y;
+        out->sum[23][l] = push_z;
+        out->sum[24][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-push_y,
+            q_z, push_z*q_y));
+        out->sum[25][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-push_z,
+            q_x, push_x*q_z));
+        out->sum[26][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-push_x,
+            q_y, push_y*q_x));
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
+        out->checked.bad[l] = fault;
+    }
+}
+
 /* One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose. */
 static void forward_leg_of_block(
     const stewart_exact_model *model, int leg, const motion_in_lanes *at,
-    stewart_real (*STEWART_RESTRICT acting)[LANES], const forward_pose *pose, stewart_exact_model *one,
+    stewart_real (*STEWART_RESTRICT acting)[LANES], const forward_pose *pose,
     forward_legs *STEWART_RESTRICT legs, forward_block *STEWART_RESTRICT out)
 {
     int l;
-    spread_leg(model, leg, one);
     for (l = 0; l < LANES; ++l) {
         legs->F[l] = acting[leg][l];
     }
-    forward_of_leg(one, at, pose, legs);
+    forward_leg_of_poses(model, leg, at, pose, legs);
     for (l = 0; l < LANES; ++l) {
         const stewart_real fault = STEWART_LARGER(legs->checked.bad[l], out->bad[l]);
         out->bad[l] = fault;
@@ -7446,7 +8781,7 @@ static void forward_leg_of_block(
 /* Sums over platform and legs of eight poses. */
 static void forward_of_block(
     const stewart_exact_model *model, const motion_in_lanes *at, stewart_real acting[6][LANES],
-    stewart_exact_model *one, forward_block *out)
+    forward_block *out)
 {
     int i, l;
     forward_pose pose;
@@ -7458,8 +8793,8 @@ static void forward_of_block(
         out->bad[l] = REAL(0);
     }
     for (i = 0; i < 3; ++i) {
-        forward_leg_of_block(model, 2*i, at, acting, &pose, one, &even, out);
-        forward_leg_of_block(model, 2*i + 1, at, acting, &pose, one, &odd, out);
+        forward_leg_of_block(model, 2*i, at, acting, &pose, &even, out);
+        forward_leg_of_block(model, 2*i + 1, at, acting, &pose, &odd, out);
         add_two(even.sum, odd.sum, 27, i, &out->number[0*LANES]);
     }
     for (i = 0; i < 216; ++i) {
@@ -7474,7 +8809,6 @@ int stewart_exact_forward_dynamics_batch(
     size_t first;
     int i, l;
     motion_in_lanes at;
-    leg_in_lanes of_leg;
     forward_block block;
     STEWART_ALIGNED stewart_real row[48];
     stewart_motion one;
@@ -7484,12 +8818,11 @@ int stewart_exact_forward_dynamics_batch(
         return STEWART_BAD_ARGUMENT;
     }
     stewart_real found[6];
-    of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
         load_motions(motions, first, count, &at);
         load_forces(F, first, count, acting);
-        forward_of_block(model, &at, acting, &of_leg.model, &block);
+        forward_of_block(model, &at, acting, &block);
         stewart_real pivot[48];
         stewart_real solution[48];
         solve_inertia(block.number, LANES, solution, pivot);

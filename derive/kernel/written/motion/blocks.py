@@ -1,15 +1,8 @@
 """Closed form of eight poses side by side, and batches of such blocks, as written functions.
 
-The blocks and functions are the same as for one pose: lanes are legs there, and poses here. The functions
-that compute a result from the sums read the numbers of each pose from its lane.
+The blocks are the same as for one pose, whose lanes are legs; here lanes are poses. The functions that
+compute a result from the sums read the numbers of each pose from its lane.
 """
-
-
-def spread_leg(model: "alone(Model)", leg: "Integer", to: "alone(Model)") -> None:
-    """The constants of one leg in every lane."""
-    for l in range(LANES):
-        for number in entries(OF_LEG):
-            to[number, l] = model[number, leg]
 
 
 def load_motions(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
@@ -56,16 +49,14 @@ def leg_of_block(
     at: "MotionLanes",
     acting: "alone(array(6, LANES))",
     pose: "Pose",
-    one: "Model",
     legs: "alone(Legs)",
     out: "alone(Block)",
 ) -> None:
     """One leg of eight poses; ``bad`` is 1 if the function for one pose must compute the pose."""
-    spread_leg(model, leg, one)
     if HAS_F:
         for l in range(LANES):
             legs.F[l] = acting[leg][l]
-    leg_terms(one, at, pose, legs)
+    leg_of_poses(model, leg, at, pose, legs)
     for l in range(LANES):
         KEPT_OF_LEG
         fault = larger(legs.checked.bad[l], out.bad[l])
@@ -74,9 +65,7 @@ def leg_of_block(
         out.bad[l] = fault
 
 
-def sums_of_block(
-    model: "Model", at: "MotionLanes", acting: "array(6, LANES)", one: "Model", out: "Block"
-) -> None:
+def sums_of_block(model: "Model", at: "MotionLanes", acting: "array(6, LANES)", out: "Block") -> None:
     """Sums over platform and legs of eight poses."""
     pose = blank(Pose)
     even = blank(Legs)
@@ -86,8 +75,8 @@ def sums_of_block(
     for l in range(LANES):
         out.bad[l] = 0.0
     for i in range(3):
-        leg_of_block(model, 2 * i, at, acting, pose, one, even, out)
-        leg_of_block(model, 2 * i + 1, at, acting, pose, one, odd, out)
+        leg_of_block(model, 2 * i, at, acting, pose, even, out)
+        leg_of_block(model, 2 * i + 1, at, acting, pose, odd, out)
         add_two(even.sum, odd.sum, COUNT, i, out.number[FIRST * LANES :])
     for i in range(OF_LANES):
         out.number[FIRST * LANES + i] = own[i] + out.number[FIRST * LANES + i]
@@ -103,7 +92,6 @@ def batch_of_blocks(
 ) -> "Integer":
     """Computes the poses in blocks of eight; poses that must be checked are computed one by one."""
     at = blank(MotionLanes)
-    of_leg = blank(OfLeg)
     block = blank(Block)
     row = blank(array(ROWS))
     one = blank(Motion)
@@ -114,7 +102,6 @@ def batch_of_blocks(
     if MISSING:
         return BAD_ARGUMENT
     found = blank(Found)
-    of_leg.model = model
     result = OK
     for first in range(0, count, LANES):
         load_motions(motions, first, count, at)
@@ -126,7 +113,7 @@ def batch_of_blocks(
             load_forces(F, 0, size_of_block, acting)
         elif HAS_F:
             load_forces(F, first, count, acting)
-        sums_of_block(model, at, acting, of_leg.model, block)
+        sums_of_block(model, at, acting, block)
         finish_block()
         if FORCES_FIRST:
             one_by_one()

@@ -15,10 +15,19 @@ def pose_terms(
 
 
 def leg_terms(
-    model: "alone(Model)", at: "alone(MotionLanes)", pose: "alone(Pose)", out: "alone(Legs)"
+    model: "alone(Model)", motion: "alone(Motion)", pose: "alone(Pose)", out: "alone(Legs)"
 ) -> None:
-    """Computes the legs of a pose, or one leg of eight poses, in lanes."""
+    """Computes the legs of a pose in lanes."""
     OUTSIDE
+    for l in range(LANES):
+        BLOCK
+        checked(out.checked)
+
+
+def leg_of_poses(
+    model: "alone(Model)", leg: "Integer", at: "alone(MotionLanes)", pose: "alone(Pose)", out: "alone(Legs)"
+) -> None:
+    """Computes one leg of eight poses in lanes."""
     for l in range(LANES):
         BLOCK
         checked(out.checked)
@@ -43,22 +52,17 @@ def is_near(checked: "Checked") -> "Integer":
 def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)") -> None:
     """Computes the sums over platform and legs; ``status`` is the status of the legs."""
     at = blank(MotionLanes)
-    own = blank(Pose)
     pose = blank(Pose)
-    for l in range(LANES):
-        for number in entries(MOVED):
-            at[number, l] = motion[number]
-    pose_terms(model, at, 1, own, summed)
-    for l in range(LANES):
-        for number in entries(OF_POSE):
-            pose[number, l] = own[number, 0]
+    for number in entries(MOVED):
+        at[number, 0] = motion[number]
+    pose_terms(model, at, 1, pose, summed)
     for l in range(6, 8):
         for number in entries(GIVEN):
             legs[number, l] = legs[number, 5]
-    leg_terms(model, at, pose, legs)
+    leg_terms(model, motion, pose, legs)
     if HAS_NEAR:
         if is_near(legs.checked) != 0:
-            near_terms(model, at, pose, legs)
+            near_terms(model, motion, pose, legs)
     legs.status = legs_status(legs.checked)
     if legs.status == OK:
         add_legs(legs.sum, COUNT, summed)
