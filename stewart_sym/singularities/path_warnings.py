@@ -5,27 +5,29 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.inverse_kinematics import leg_vectors, wrench_matrix
 from ..kinematics.trajectory_checks import side_change
 from ..motion.interpolation import interpolate
+from ..motion.motion import Motion
 from ..motion.trajectory import Trajectory
 from ..robot.robot import LEGS, Robot
 from ..robot.units import Units
-from .path_singularities import singularity_crossings
+from .path_singularities import SingularityCrossing, singularity_crossings
 from .singular_poses import SingularityResult
 
-_BLOCK_ROWS = 16
+_BLOCK_STEPS = 16
 
 
 def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     """Return a warning text about the singular poses that a log's path crosses, or None."""
     if robot.offsets is not None:
         return row_warning(robot, log)
-    part = _near_singular_part(robot, log) if len(log.time) > 1 else slice(0)
-    some = Trajectory(log.time[part], log.at(part), log.source)
-    found = singularity_crossings(robot, interpolate(some), some.time) if len(some.time) else ()
+    found: list[SingularityCrossing] = []
+    for part in _near_singular_parts(robot, log):
+        some = Trajectory(log.time[part], log.at(part), log.source)
+        found += singularity_crossings(robot, interpolate(some), some.time)
     if not found:
         return None
     first = found[0]
@@ -44,32 +46,43 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     )
 
 
-def _near_singular_part(robot: Robot, log: Trajectory) -> slice:
-    """Return the rows among which all singular poses of a path are.
-
-    The smallest singular value of H changes by at most the norm of the change of H, which the path length
-    from the middle of a block of rows bounds.
-    """
-    count, time, motion = len(log.time), log.time, log.given_motion
+def _near_singular_parts(robot: Robot, log: Trajectory) -> list[slice]:
+    """Return the runs of rows among which all singular poses of a path are."""
+    count, motion = len(log.time), log.given_motion
+    if count < 2:
+        return []
     if motion is not None:
         speed, turning = (np.linalg.norm(rate, axis=-1) for rate in (motion.v, motion.omega))
     else:
         assert log.coordinates is not None
         turning = np.abs(log.coordinates[1, :, 3:]).sum(axis=-1)
         speed = np.linalg.norm(log.coordinates[1, :, :3], axis=-1) + np.linalg.norm(robot.tool) * turning
-    starts = np.arange(0, count - 1, _BLOCK_ROWS)
-    paths = (np.maximum(rate[1:], rate[:-1]) * np.diff(time) for rate in (speed, turning))
-    moved, turned = (np.add.reduceat(path, starts) for path in paths)
-    middles = log.at(np.minimum(starts + _BLOCK_ROWS // 2, count - 1))
+    paths = [np.maximum(rate[1:], rate[:-1]) * np.diff(log.time) for rate in (speed, turning)]
+    steps = np.arange(count - 1)
+    # Most blocks of steps are far from singular poses, so that few single steps are examined.
+    for size in (_BLOCK_STEPS, 1):
+        starts = steps[::size]
+        blocks = np.minimum(starts[:, None] + np.arange(size), count - 2)
+        middles = log.at(np.minimum(starts + size // 2, count - 1))
+        near = _may_be_singular(robot, middles, *(path[blocks].sum(axis=-1) for path in paths))
+        steps = np.unique(blocks[near])
+    runs = np.split(steps, np.flatnonzero(np.diff(steps) > 1) + 1) if len(steps) else []
+    return [slice(int(run[0]), int(run[-1]) + 2) for run in runs]
+
+
+def _may_be_singular(robot: Robot, motion: Motion, moved: Array, turned: Array) -> Flags:
+    """Return True for poses (n,) with a singular pose within a path (m) and a turn (rad), (n,).
+
+    The smallest singular value of H changes by at most the norm of the change of H.
+    """
     arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
-    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
+    shortest = leg_vectors(robot, motion.R, motion.t)[2].min(axis=-1)
     tips = moved + arm * turned
     with np.errstate(divide="ignore"):
         direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
     change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
-    H = moments_over(wrench_matrix(robot, middles), size)
-    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
-    return slice(starts[near[0]], starts[near[-1]] + _BLOCK_ROWS + 1) if near.size else slice(0)
+    H = moments_over(wrench_matrix(robot, motion), size)
+    return ~np.asarray(np.linalg.svd(H, compute_uv=False)[:, -1] > change)
 
 
 def row_warning(robot: Robot, log: Trajectory, places: str = "lines") -> str | None:
