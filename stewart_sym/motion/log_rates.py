@@ -11,7 +11,7 @@ from ..io.array_types import Array, Flags, Indices
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
-from .spline import DEGREE, PAIRS, SmoothCurves
+from .spline import DEGREE, PAIRS, SmoothCurve, Smoother, evaluate
 from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
 from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 
@@ -61,17 +61,18 @@ def rates_of(
     rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
     if len(since) < _FEWEST_SMOOTHED:
         return _few_rows(log, values, stated, rounding)
-    fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
+    fitted = fit_good_rows(Smoother(since, values, stated, rounding, options.cutoff_frequency))
     curves, used = fitted.curves, ~(fitted.outliers | fitted.frozen)
+    sigma = np.array([curve.noise_std for curve in curves])
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
-        _check_options(log, options, curves.noise_std, np.maximum(scatter(values, _HIGH_ORDER), rounding))
+        _check_options(log, options, sigma, np.maximum(scatter(values, _HIGH_ORDER), rounding))
     _warn_of_rows(log, used, fitted)
-    found, step = curves.evaluate(since), float(np.median(np.diff(since)))
-    unsmoothed = _GAINS[2] * curves.noise_std / step**2
+    found, step = evaluate(curves, since), float(np.median(np.diff(since)))
+    unsmoothed = _GAINS[2] * sigma / step**2
     clean = unsmoothed < _NEGLIGIBLE * np.maximum(np.abs(found[2]).max(axis=0), _GRAVITY)
     if options.cutoff_frequency is None and clean.all():
         found = _interpolated(since[used], values[used], since)
-    coarse = _coarse_columns(log, step, found, curves.noise_std)
+    coarse = _coarse_columns(log, step, found, sigma)
     if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
         return found, None
     uncertainty = _uncertainty(log, curves, used)
@@ -168,7 +169,7 @@ def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array
     return found
 
 
-def _uncertainty(log: LogSamples, curves: SmoothCurves, used: Flags) -> Uncertainty:
+def _uncertainty(log: LogSamples, curves: list[SmoothCurve], used: Flags) -> Uncertainty:
     """Return the uncertainty of smoothed columns at every second one of the finest knots."""
     assert log.time is not None
     runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
@@ -176,9 +177,11 @@ def _uncertainty(log: LogSamples, curves: SmoothCurves, used: Flags) -> Uncertai
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    knots = min(curves.columns, key=lambda curve: curve.step).knots
+    knots = min(curves, key=lambda curve: curve.step).knots
     grid = np.append(knots[:-1:2], knots[-1])
-    return Uncertainty(log.time[0] + grid, curves.covariance(grid), curves.noise_std, replaced)
+    covariance = np.stack([curve.covariance(grid) for curve in curves], axis=1)
+    sigma = np.array([curve.noise_std for curve in curves])
+    return Uncertainty(log.time[0] + grid, covariance, sigma, replaced)
 
 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:
