@@ -137,10 +137,7 @@ def between(time: Array, known: Array, deviations: Array) -> Array:
 
 def _factors(noise: Uncertainty, time: Array) -> Array:
     """Return the lower Cholesky factors of the covariances of value, rate, and second rate, (n, 6, 3, 3)."""
-    flat = noise.covariance.reshape(len(noise.grid), -1)
-    at = np.clip(np.searchsorted(noise.grid, time, side="right") - 1, 0, len(noise.grid) - 2)
-    share = np.clip((time - noise.grid[at]) / (noise.grid[at + 1] - noise.grid[at]), 0.0, 1.0)[:, None]
-    c = np.moveaxis((flat[at] + share * (flat[at + 1] - flat[at])).reshape(len(time), 6, 6), -1, 0)
+    c = np.moveaxis(noise.covariances(time), -1, 0)
     L = np.zeros((len(time), 6, 3, 3))
     L[..., 0, 0] = np.sqrt(np.maximum(c[0], 0.0))
     L[..., 1, 0] = _quotient(c[1], L[..., 0, 0])

@@ -20,7 +20,7 @@ from ..io.array_types import Array, Flags, Indices
 from ..motion.motion import Motion
 from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
-from ..motion.spline import DEGREE, SmoothCurve, Smoother, Smoothness, evaluate
+from ..motion.spline import DEGREE, SmoothCurve, Smoother, Smoothness
 from .excitation import harmonics_at
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
@@ -187,9 +187,9 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
     q = coordinates(motion, noise)
     if noise.period is None:
         since = elapsed(noise.time)
-        curves, _ = _curves(noise, q)
+        smoother, curves, _ = _curves(noise, q)
         rates = np.stack([curve.covariance(since, [(1, 1)])[:, 0] for curve in curves], axis=-1)
-        return motion_of(evaluate(curves, since), motion), np.sqrt(rates)
+        return motion_of(smoother.derivatives(curves), motion), np.sqrt(rates)
     basis, c = basis_of(noise, q)
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
     return motion_of(basis.coordinates(c), motion), rates[:, None] * noise.std
@@ -222,7 +222,7 @@ def basis_of(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     return found[min(best + 1, len(found) - 1)]
 
 
-def _curves(noise: PoseNoise, q: Array) -> tuple[list[SmoothCurve], list[Smoothness]]:
+def _curves(noise: PoseNoise, q: Array) -> tuple[Smoother, list[SmoothCurve], list[Smoothness]]:
     """Smooth the poses alone; the noise is estimated unless the estimate is much below the stated noise."""
     smoother = Smoother(elapsed(noise.time), q)
     curves = smoother.curves(smoothness := smoother.likeliest())
@@ -230,12 +230,12 @@ def _curves(noise: PoseNoise, q: Array) -> tuple[list[SmoothCurve], list[Smoothn
     if interpolated.any():
         smoother = Smoother(elapsed(noise.time), q, np.where(interpolated, noise.std, np.nan))
         curves = smoother.curves(smoothness := smoother.likeliest())
-    return curves, smoothness
+    return smoother, curves, smoothness
 
 
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     """Return the finest B-splines of the curves through the poses, with the priors of their penalties."""
-    coarse, smoothness = _curves(noise, q)
+    _, coarse, smoothness = _curves(noise, q)
     since, step = elapsed(noise.time), min(each.step for each in smoothness)
     # A penalty on finer knots has the same effect with this weight.
     finer = [

@@ -11,7 +11,7 @@ from ..io.array_types import Array, Flags, Indices
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
-from .spline import DEGREE, PAIRS, SmoothCurve, Smoother, evaluate
+from .spline import DEGREE, PAIRS, SmoothCurve, Smoother
 from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
 from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 
@@ -61,13 +61,14 @@ def rates_of(
     rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
     if len(since) < _FEWEST_SMOOTHED:
         return _few_rows(log, values, stated, rounding)
-    fitted = fit_good_rows(Smoother(since, values, stated, rounding, options.cutoff_frequency))
+    smoother = Smoother(since, values, stated, rounding, options.cutoff_frequency)
+    fitted = fit_good_rows(smoother)
     curves, used = fitted.curves, ~(fitted.outliers | fitted.frozen)
     sigma = np.array([curve.noise_std for curve in curves])
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
         _check_options(log, options, sigma, np.maximum(scatter(values, _HIGH_ORDER), rounding))
     _warn_of_rows(log, used, fitted)
-    found, step = evaluate(curves, since), float(np.median(np.diff(since)))
+    found, step = smoother.derivatives(curves), float(np.median(np.diff(since)))
     unsmoothed = _GAINS[2] * sigma / step**2
     clean = unsmoothed < _NEGLIGIBLE * np.maximum(np.abs(found[2]).max(axis=0), _GRAVITY)
     if options.cutoff_frequency is None and clean.all():
