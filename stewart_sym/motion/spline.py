@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.interpolate import BSpline
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.linalg.lapack import dtbtrs
@@ -22,10 +21,7 @@ from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
-from ..io.arguments import deviations, real_array, shown
 from ..io.array_types import Array, Flags
-from ..io.toml_reader import positive
-from .sample_times import elapsed
 
 DEGREE = 5
 ORDERS = (3, 4, 7)
@@ -56,7 +52,6 @@ _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 _CELLS_PER_PERIOD = 8.0
 # Largest number of rows for each independent error of rounding, and smallest number of such errors.
 _MOST_ROWS, _FEWEST_ERRORS = 64, 64
-_FEWEST = 8
 _BLOCK = 64
 # Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
 _ROUNDING, _RIDGE = 4e-16, 1e-11
@@ -374,75 +369,3 @@ def _busiest(u: Array, trial: int) -> int:
     changes = np.concatenate([[0.0], np.cumsum(np.diff(blocks, 2) ** 2)])
     span = min(_TRIAL_BLOCKS - 2, len(changes) - 1)
     return min(size * int(np.argmax(changes[span:] - changes[: len(changes) - span])), len(u) - trial)
-
-
-class SmoothSamplesResult(NamedTuple):
-    """Smoothed columns at the times of the samples.
-
-    Attributes
-    ----------
-    values, derivatives, second_derivatives : ndarray, shape (n, c)
-        Values and derivatives of the curves.
-    noise_std : ndarray, shape (c,)
-        Standard deviation of the noise.
-    covariance : ndarray, shape (n, c, 6)
-        Covariance of value, rate, and second rate: the lower triangle row by row.
-    """
-
-    values: Array
-    derivatives: Array
-    second_derivatives: Array
-    noise_std: Array
-    covariance: Array
-
-
-def smooth_samples(
-    time: ArrayLike, values: ArrayLike, noise_std: ArrayLike | None = None, cutoff: float | None = None
-) -> SmoothSamplesResult:
-    """Smooth columns of samples without phase shift.
-
-    Parameters
-    ----------
-    time : array_like, shape (n,)
-        Increasing times (s), at least 8.
-    values : array_like, shape (n, c)
-        Samples.
-    noise_std : array_like, shape (c,) or (), optional
-        Standard deviation of the noise of each column; by default estimated.
-    cutoff : float, optional
-        Frequency (Hz) at which the amplitude is halved; by default the likeliest.
-
-    Returns
-    -------
-    SmoothSamplesResult
-        Smoothed columns with derivatives and covariances.
-
-    Raises
-    ------
-    ValueError
-        If an argument is invalid; the message begins with its name.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import stewart_sym as ss
-    >>> time = np.linspace(0.0, 2.0, 401)
-    >>> noisy = np.sin(time) + np.random.default_rng(1).normal(0.0, 1e-3, 401)
-    >>> smooth = ss.smooth_samples(time, noisy[:, None])
-    >>> bool(np.abs(smooth.second_derivatives[:, 0] + np.sin(time)).max() < 0.1)
-    True
-    """
-    when, columns = real_array(time, "time"), real_array(values, "values")
-    if when.ndim != 1 or len(when) < _FEWEST or not (np.diff(when) > 0.0).all():
-        raise ValueError(f"time: expected at least {_FEWEST} increasing times, s, (n,), got {shown(time)}")
-    if columns.ndim != 2 or len(columns) != len(when) or not columns.size or not np.isfinite(columns).all():
-        raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
-    known = None if noise_std is None else deviations(noise_std, "noise_std", columns.shape[1:], "> 0")
-    cutoff = None if cutoff is None else positive(cutoff, "cutoff")
-    since = elapsed(when)
-    smoother = Smoother(since, columns, known, cutoff=cutoff)
-    curves = smoother.curves(smoother.likeliest())
-    smooth, rates, second_rates = smoother.derivatives(curves)
-    covariance = np.stack([curve.covariance(since) for curve in curves], axis=1)
-    std = np.array([curve.noise_std for curve in curves])
-    return SmoothSamplesResult(smooth, rates, second_rates, std, covariance)
