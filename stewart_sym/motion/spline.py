@@ -29,9 +29,9 @@ ORDERS = (3, 4, 7)
 
 With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times the errors, mostly at the ends.
 """
-# Additional cost of the lowest order, which models jumps of the acceleration. Without it, errors of
-# minimum-jerk motions with 3 decimals are 1.2 times as large.
-_EVIDENCE = 20.0
+# Largest additional cost of the lowest order, which models jumps of the acceleration, and rows that add 1 to it.
+# Without it, errors of minimum-jerk motions with 3 decimals are 1.2 times as large.
+_EVIDENCE, _ROWS = 20.0, 50.0
 # Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sines,
 # minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.
 _BIAS = {3: 0.7, 4: 0.7, 7: 0.1}
@@ -125,7 +125,8 @@ class Smoother:
         least_std: Array | float = 0.0,
         cutoff: float | None = None,
     ) -> None:
-        self.time, self.since, self.values, self.cutoff = time, time - time[0], values, cutoff
+        self.time, self.since, self.cutoff = time, time - time[0], cutoff
+        self.values = np.asfortranarray(values)
         known = np.full(values.shape[1], np.nan) if noise_std is None else np.asarray(noise_std) ** 2
         least = np.asarray(least_std) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60
         # Known variance of each column, or NaN, and the smallest one.
@@ -134,7 +135,7 @@ class Smoother:
 
     def curves(self, smoothness: Sequence[Smoothness], used: Flags | None = None) -> list[SmoothCurve]:
         """Return the curves of a smoothness through the used rows."""
-        rows = slice(None) if used is None else used
+        rows = slice(None) if used is None or used.all() else used
         grids = {step: _Grid(self._splines(step)[rows], step) for step in {each.step for each in smoothness}}
         found = []
         for (step, order, weight, count), u, variances in zip(
@@ -298,7 +299,7 @@ class _Column:
             return math.inf
         variance = self.variance(order, squares)
         free = self.grid.count - order
-        cost = _EVIDENCE if order == ORDERS[0] else 0.0
+        cost = min(_EVIDENCE, self.grid.count / _ROWS) if order == ORDERS[0] else 0.0
         cost += self.grid.factor(order, log_weight)[1] + free * math.log(variance) + squares / variance
         return float(cost)
 
