@@ -80,8 +80,6 @@ from .kinematics.trajectory_writer import write_trajectory as write_trajectory
 from .motion.interpolation import interpolate as interpolate
 from .motion.interpolation import resample as resample
 from .motion.motion import Motion as Motion
-from .motion.spline import SmoothSamplesResult as SmoothSamplesResult
-from .motion.spline import smooth_samples as smooth_samples
 from .motion.straight_line import PAPER_PATHS as PAPER_PATHS
 from .motion.straight_line import StraightLinePath as StraightLinePath
 from .motion.trajectory import SmoothingOptions as SmoothingOptions

@@ -112,7 +112,8 @@ class Extremes:
         if sd is not None:
             self._noisy = True
             apart = np.where(flags[:, None], np.nan, 0.0)
-            scores += [sizes + SURE * x for x in (up, -down, up + apart, -down + apart)]
+            spreads = (up, -down, up + apart, -down + apart) if flags.any() else (up, -down)
+            scores += [sizes + SURE * x for x in spreads]
         all_scores = np.hstack(scores)
         i = np.unique(np.argmax(np.where(np.isnan(all_scores), -np.inf, all_scores), axis=0))
         self._parts.append((sizes[i], values[i], up[i], down[i], first + i, flags[i]))

@@ -24,6 +24,8 @@ from .inverse_dynamics import Backend, Formulation
 
 CHUNK = 16_384
 """Samples that are processed together; the limit bounds the memory for logs of any length."""
+# Number of samples between two times of covariances from which one sample next to a time is sufficient.
+_MANY = 16
 
 
 def force_std(
@@ -110,15 +112,16 @@ def _deviations_of_forces(
 def near_knots(trajectory: Trajectory, part: slice) -> Indices:
     """Return the samples of a slice at which standard deviations are computed, with both ends.
 
-    They are the samples on both sides of each time of the covariances of a smooth log, or all samples.
+    They are the samples next to each time of the covariances of a smooth log, or all samples. Samples on both
+    sides of a time are included unless there are many between the times.
     """
     rows = np.arange(len(trajectory.time))[part]
     noise, time = trajectory.noise, trajectory.time[part]
     if noise is None or len(noise.grid) <= 2 or len(rows) <= 2:
         return rows
-    after = np.searchsorted(time, noise.grid)
-    adjacent = np.concatenate([after - 1, after, [0, len(rows) - 1]])
-    return np.asarray(rows[np.unique(np.clip(adjacent, 0, len(rows) - 1))])
+    after = np.clip(np.searchsorted(time, noise.grid), 1, len(rows) - 1)
+    few = _MANY * (time[after] - time[after - 1]) > noise.grid[1] - noise.grid[0]
+    return np.asarray(rows[np.unique(np.concatenate([after, after[few] - 1, [0, len(rows) - 1]]))])
 
 
 def between(time: Array, known: Array, deviations: Array) -> Array:
@@ -137,10 +140,7 @@ def between(time: Array, known: Array, deviations: Array) -> Array:
 
 def _factors(noise: Uncertainty, time: Array) -> Array:
     """Return the lower Cholesky factors of the covariances of value, rate, and second rate, (n, 6, 3, 3)."""
-    flat = noise.covariance.reshape(len(noise.grid), -1)
-    at = np.clip(np.searchsorted(noise.grid, time, side="right") - 1, 0, len(noise.grid) - 2)
-    share = np.clip((time - noise.grid[at]) / (noise.grid[at + 1] - noise.grid[at]), 0.0, 1.0)[:, None]
-    c = np.moveaxis((flat[at] + share * (flat[at + 1] - flat[at])).reshape(len(time), 6, 6), -1, 0)
+    c = np.moveaxis(noise.covariances(time), -1, 0)
     L = np.zeros((len(time), 6, 3, 3))
     L[..., 0, 0] = np.sqrt(np.maximum(c[0], 0.0))
     L[..., 1, 0] = _quotient(c[1], L[..., 0, 0])

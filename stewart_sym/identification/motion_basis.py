@@ -20,7 +20,7 @@ from ..io.array_types import Array, Flags, Indices
 from ..motion.motion import Motion
 from ..motion.rotation import rpy_from_rotation, vector_from_rotation
 from ..motion.sample_times import elapsed
-from ..motion.spline import DEGREE, SmoothCurves, Smoothness, likeliest, smooth_columns
+from ..motion.spline import DEGREE, SmoothCurve, Smoother, Smoothness
 from .excitation import harmonics_at
 
 # Largest pitch angle (rad); beyond it, roll and yaw are too poorly determined.
@@ -187,8 +187,9 @@ def smoothed(motion: Motion, noise: PoseNoise) -> tuple[Motion, Array]:
     q = coordinates(motion, noise)
     if noise.period is None:
         since = elapsed(noise.time)
-        curves, _ = _curves(noise, q)
-        return motion_of(curves.evaluate(since), motion), np.sqrt(curves.covariance(since)[..., 2])
+        smoother, curves, _ = _curves(noise, q)
+        rates = np.stack([curve.covariance(since, [(1, 1)])[:, 0] for curve in curves], axis=-1)
+        return motion_of(smoother.derivatives(curves), motion), np.sqrt(rates)
     basis, c = basis_of(noise, q)
     rates = np.linalg.norm(basis.local[1] @ np.linalg.pinv(basis.local[0]), axis=1)
     return motion_of(basis.coordinates(c), motion), rates[:, None] * noise.std
@@ -221,22 +222,20 @@ def basis_of(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     return found[min(best + 1, len(found) - 1)]
 
 
-def _curves(noise: PoseNoise, q: Array) -> tuple[SmoothCurves, list[Smoothness]]:
+def _curves(noise: PoseNoise, q: Array) -> tuple[Smoother, list[SmoothCurve], list[Smoothness]]:
     """Smooth the poses alone; the noise is estimated unless the estimate is much below the stated noise."""
-    since = elapsed(noise.time)
-    smoothness = likeliest(since, q)
-    curves = smooth_columns(since, q, smoothness=smoothness)
-    interpolated = curves.noise_std < _TOO_SMALL * noise.std
+    smoother = Smoother(elapsed(noise.time), q)
+    curves = smoother.curves(smoothness := smoother.likeliest())
+    interpolated = np.array([curve.noise_std for curve in curves]) < _TOO_SMALL * noise.std
     if interpolated.any():
-        known = np.where(interpolated, noise.std, np.nan)
-        smoothness = likeliest(since, q, known)
-        curves = smooth_columns(since, q, known, smoothness=smoothness)
-    return curves, smoothness
+        smoother = Smoother(elapsed(noise.time), q, np.where(interpolated, noise.std, np.nan))
+        curves = smoother.curves(smoothness := smoother.likeliest())
+    return smoother, curves, smoothness
 
 
 def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
     """Return the finest B-splines of the curves through the poses, with the priors of their penalties."""
-    coarse, smoothness = _curves(noise, q)
+    _, coarse, smoothness = _curves(noise, q)
     since, step = elapsed(noise.time), min(each.step for each in smoothness)
     # A penalty on finer knots has the same effect with this weight.
     finer = [
@@ -245,13 +244,14 @@ def _spline(noise: PoseNoise, q: Array) -> tuple[Basis, Array]:
         )
         for each in smoothness
     ]
-    curves = smooth_columns(since, q, coarse.noise_std, smoothness=finer)
-    c = np.stack([curve.coefficients for curve in curves.columns], axis=-1)
+    noise_std = np.array([curve.noise_std for curve in coarse])
+    curves = Smoother(since, q, noise_std).curves(finer)
+    c = np.stack([curve.coefficients for curve in curves], axis=-1)
     start, size = np.minimum((since / step).astype(np.intp), len(c) - DEGREE - 1), len(c)
     near = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
     local = np.array([near(since / step - start, order) / step**order for order in range(3)])
     priors = []
-    for axis, each, std in zip(np.eye(6), finer, coarse.noise_std, strict=True):
+    for axis, each, std in zip(np.eye(6), finer, noise_std, strict=True):
         signs = [(-1.0) ** k * math.comb(each.order, k) for k in range(each.order + 1)]
         differences = sparse.diags(signs, range(each.order + 1), shape=(size - each.order, size))
         priors.append(math.exp(0.5 * each.log_weight) / std * sparse.kron(differences, axis))

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d
 
 from ..io.array_types import Array, Flags, Indices
-from .spline import SmoothCurves, likeliest, smooth_columns
+from .spline import PAIRS, SmoothCurve, Smoother
 
 LIMIT = 8.0
 """Number of standard deviations beyond which a row is an outlier."""
@@ -28,35 +28,27 @@ _FEWEST_ROWS = 12
 class FittedRows(NamedTuple):
     """Curves through the good rows of a log, and the rows that they leave out."""
 
-    curves: SmoothCurves
+    curves: list[SmoothCurve]
     outliers: Flags
     frozen: Flags
 
 
-def fit_good_rows(
-    time: Array,
-    values: Array,
-    noise_std: Array | None = None,
-    least_std: Array | float = 0.0,
-    cutoff: float | None = None,
-) -> FittedRows:
+def fit_good_rows(smoother: Smoother) -> FittedRows:
     """Smooth columns of samples without the rows that contradict the others.
 
     The first curves use the rows that their neighbors predict. Then rows that agree with the curves are
     added, and others are left out, until the set of rows stays the same. Therefore the size of an error has
-    no effect. The arguments are as in ``smooth_columns``.
+    no effect.
     """
-    runs = _equal_runs(values)
-    used = _near_predictions(values) & ~runs
-    options = noise_std, least_std, cutoff
+    runs = _equal_runs(smoother.values)
+    used = _near_predictions(smoother.values) & ~runs
     for _ in range(_MOST_ESTIMATES):
         if np.count_nonzero(used) < _FEWEST_ROWS:
-            used = np.ones(len(time), dtype=bool)
-        smoothness = likeliest(time[used], values[used], *options)
-        before = used
+            used = np.ones(len(used), dtype=bool)
+        before, smoothness = used, smoother.likeliest(used)
         for distance in 2 ** np.arange(_MOST_PASSES):
-            curves = smooth_columns(time[used], values[used], *options, smoothness)
-            found = _agree(curves, time, values, runs, maximum_filter1d(used, 2 * distance + 1))
+            curves = smoother.curves(smoothness, used)
+            found = _agree(curves, smoother, runs, maximum_filter1d(used, 2 * distance + 1))
             # A stated noise that is much too small makes all rows outliers.
             if np.array_equal(found, used) or np.count_nonzero(found) < _FEWEST_ROWS:
                 break
@@ -106,19 +98,18 @@ def flagged_spans(flags: Flags) -> tuple[Indices, Indices]:
     return edges[::2], edges[1::2]
 
 
-def _agree(curves: SmoothCurves, time: Array, values: Array, runs: Flags, near: Flags) -> Flags:
+def _agree(curves: list[SmoothCurve], smoother: Smoother, runs: Flags, near: Flags) -> Flags:
     """Return the rows that agree with the curves; of a run of equal rows all or none.
 
     A row where the curves are uncertain, inside a gap, is compared only if it is near other rows.
     """
-    agree, certain = np.ones((2, len(time)), dtype=bool)
-    errors = np.abs(values - curves.evaluate(time, 1)[0])
-    for curve, column, error in zip(curves.columns, values.T, errors.T, strict=True):
-        knots = curve.knots
-        variance = np.interp(time, knots, np.maximum(curve.covariance(knots)[:, 0], 0.0))
+    agree, certain = np.ones((2, len(runs)), dtype=bool)
+    for curve, column in zip(curves, smoother.values.T, strict=True):
+        variance = np.maximum(curve.covariance(curve.knots, PAIRS[:1])[:, 0], 0.0)
+        variance = np.interp(smoother.time, curve.knots, variance)
         bend = float(np.median(np.abs(np.diff(column, 2))))
         noise = max(curve.noise_std, _NEGLIGIBLE * bend, _ROUNDING * float(np.abs(column).max()))
-        agree &= error <= LIMIT * np.sqrt(noise**2 + variance)
+        agree &= np.abs(column - curve.values) <= LIMIT * np.sqrt(noise**2 + variance)
         certain &= variance <= (_MOST_UNCERTAIN * noise) ** 2
     found = agree & (certain | near)
     for first, end in zip(*flagged_spans(runs), strict=True):

@@ -16,8 +16,6 @@ from .sample_times import elapsed, time_text
 from .straight_line import MOST_STEPS
 from .trajectory import Trajectory
 
-Ends = tuple[Array, Array, Array]
-"""Values, rates, and second rates."""
 Path = Callable[[Array], Motion]
 """Function that returns the motion at times (s), of the shape of the times."""
 
@@ -25,7 +23,7 @@ Path = Callable[[Array], Motion]
 def interpolate(trajectory: Trajectory) -> Path:
     """Return a function that interpolates a trajectory between its first and its last sample.
 
-    Between two samples, position and rotation vector are polynomials of degree 5 in time. Loads change
+    Between two samples, position and quaternion are polynomials of degree 5 in time. Loads change
     linearly.
 
     Parameters
@@ -46,15 +44,15 @@ def interpolate(trajectory: Trajectory) -> Path:
     """
     time = _increasing(trajectory)
     motion = trajectory.motion
-    R, t, v, omega, a, alpha = motion.R, motion.t, motion.v, motion.omega, motion.a, motion.alpha
-    if alpha is None or a is None:
+    if motion.alpha is None or motion.a is None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
+    e = rotation.quaternion_from_rotation(motion.R)
+    # Of the two quaternions of a rotation, the one near the previous quaternion is used.
+    e[1:] *= np.cumprod(np.where(np.sum(e[1:] * e[:-1], axis=-1) < 0.0, -1.0, 1.0))[:, None]
+    rates = zip((motion.v, motion.a), rotation.quaternion_rates(e, motion.omega, motion.alpha), strict=True)
+    poses = np.stack([np.hstack(pair) for pair in ((motion.t, e), *rates)])
     h = np.diff(elapsed(time))[:, None]
-    places = _quintics(h, (t[:-1], v[:-1], a[:-1]), (t[1:], v[1:], a[1:]))
-    turn = rotation.vector_from_rotation(R[1:] @ np.swapaxes(R[:-1], -1, -2))
-    turn_rate = rotation.vector_rate(turn, omega[1:])
-    turn_second = rotation.vector_second_rate(turn, omega[1:], alpha[1:])
-    turns = _quintics(h, (np.zeros_like(turn), omega[:-1], alpha[:-1]), (turn, turn_rate, turn_second))
+    c = _quintics(h, poses[:, :-1], poses[:, 1:])
     loads = {name: load for name in ("F_ext", "M_ext") if (load := getattr(motion, name)) is not None}
 
     def at(times: ArrayLike) -> Motion:
@@ -66,10 +64,10 @@ def interpolate(trajectory: Trajectory) -> Path:
                 f"got {time_text(when[outside][0])}"
             )
         i, share = _steps(time, when)
-        turned, omega, alpha = rotation.motion_of_vector(*_values(turns[:, i], share, h[i]))
-        t, v, a = _values(places[:, i], share, h[i])
+        pose, rate, second = _values(c[:, i], share, h[i])
+        R, omega, alpha = rotation.motion_of_quaternion(pose[..., 3:], rate[..., 3:], second[..., 3:])
         now = {name: load[i] + share * (load[i + 1] - load[i]) for name, load in loads.items()}
-        return Motion(R=rotation.orthonormal(turned @ R[i]), t=t, omega=omega, v=v, alpha=alpha, a=a, **now)
+        return Motion._unchecked(R, pose[..., :3], omega, rate[..., :3], alpha, second[..., :3], **now)
 
     return at
 
@@ -154,7 +152,7 @@ def _steps(time: Array, when: Array) -> tuple[Indices, Array]:
     return i, ((when - time[i]) / (time[i + 1] - time[i]))[..., None]
 
 
-def _quintics(h: Array, first: Array | Ends, last: Array | Ends) -> Array:
+def _quintics(h: Array, first: Array, last: Array) -> Array:
     """Return coefficients, (6, n, k), of powers of the fraction of steps h (s), (n, 1).
 
     Values, rates, and second rates are given at both ends.
@@ -165,10 +163,7 @@ def _quintics(h: Array, first: Array | Ends, last: Array | Ends) -> Array:
     return np.stack([c_0, c_1, c_2, c_3, c_4, c_5])
 
 
-def _values(c: Array, share: Array, h: Array) -> Ends:
+def _values(c: Array, share: Array, h: Array) -> list[Array]:
     """Return values, rates, and second rates at fractions of steps h (s) with coefficients (6, ..., k)."""
-    x, rate, second = (
-        np.asarray(polynomial.polyval(share, polynomial.polyder(c, k), tensor=False), dtype=np.float64)
-        for k in range(3)
-    )
-    return x, rate / h, second / h**2
+    powers = (polynomial.polyval(share, polynomial.polyder(c, k), tensor=False) for k in range(3))
+    return [np.asarray(values / h**k, dtype=np.float64) for k, values in enumerate(powers)]

@@ -1,6 +1,5 @@
 """Rates of a log: curves through its good rows, with standard deviations, and checks of given rates."""
 
-import itertools
 import math
 from collections.abc import Callable, Sequence
 
@@ -11,7 +10,7 @@ from ..io.array_types import Array, Flags, Indices
 from .bad_rows import FittedRows, fit_good_rows, flagged_spans
 from .log_samples import LogSamples, line_ranges, warn_of
 from .sample_times import elapsed, time_text
-from .spline import DEGREE, PAIRS, SmoothCurves
+from .spline import DEGREE, PAIRS, SmoothCurve, Smoother
 from .trajectory import LEAST_NOISE, Replaced, SmoothingOptions, Uncertainty, noise_text
 from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 
@@ -20,8 +19,8 @@ from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Numbers of rows that a spline and smoothing require.
 _FEWEST_ROWS, _FEWEST_SMOOTHED = 4, 12
-# Standard deviations of values, rates, and second rates of an interpolating spline for noise 1 and steps 1.
-_GAINS = np.array([1.0, 1.38, 4.8])
+# Standard deviation of second rates of an interpolating spline for noise 1 and steps 1.
+_GAIN = 4.8
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
@@ -52,27 +51,28 @@ def rates_of(
     """
     assert log.time is not None
     since = elapsed(log.time)
-    if len(since) < _FEWEST_ROWS:
-        raise ValueError(
-            f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
-        )
+    fewest = _FEWEST_SMOOTHED if options.enabled else _FEWEST_ROWS
+    if len(since) < fewest:
+        finding = f"{len(since)} rows are too few for rates, which require {fewest}"
+        raise ValueError(f"{log.source}: {finding}; add rows, or columns of all rates")
     if not options.enabled:
-        return _interpolated(since, values), None
+        return _interpolated(since, values, since), None
     rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
-    if len(since) < _FEWEST_SMOOTHED:
-        return _few_rows(log, values, stated, rounding)
-    fitted = fit_good_rows(since, values, stated, rounding, options.cutoff_frequency)
+    smoother = Smoother(since, values, stated, rounding, options.cutoff_frequency)
+    fitted = fit_good_rows(smoother)
     curves, used = fitted.curves, ~(fitted.outliers | fitted.frozen)
+    sigma = np.array([curve.noise_std for curve in curves])
     if options.cutoff_frequency is not None or not np.isnan(stated).all():
-        _check_options(log, options, curves.noise_std, np.maximum(scatter(values, _HIGH_ORDER), rounding))
+        _check_options(log, options, sigma, np.maximum(scatter(values, _HIGH_ORDER), rounding))
     _warn_of_rows(log, used, fitted)
-    found, step = curves.evaluate(since), float(np.median(np.diff(since)))
-    unsmoothed = _GAINS[2] * curves.noise_std / step**2
+    found, step = smoother.derivatives(curves), float(np.median(np.diff(since)))
+    unsmoothed = _GAIN * sigma / step**2
     clean = unsmoothed < _NEGLIGIBLE * np.maximum(np.abs(found[2]).max(axis=0), _GRAVITY)
-    if options.cutoff_frequency is None and clean.all():
+    whole = not _gaps(since[used]).size
+    if options.cutoff_frequency is None and clean.all() and whole:
         found = _interpolated(since[used], values[used], since)
-    coarse = _coarse_columns(log, step, found, curves.noise_std)
-    if clean.all() and used.all() and np.isnan(stated).all() and not coarse.any():
+    coarse = _coarse_columns(log, step, found, sigma)
+    if clean.all() and used.all() and whole and np.isnan(stated).all() and not coarse.any():
         return found, None
     uncertainty = _uncertainty(log, curves, used)
     # Accelerations of such a column are unknown, so that limits are inconclusive.
@@ -93,23 +93,6 @@ def as_given(log: LogSamples, options: SmoothingOptions, steps: Sequence[Array])
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
     return _constant(log, sigma) if options.enabled else None
-
-
-def _few_rows(
-    log: LogSamples, values: Array, stated: Array, rounding: Array
-) -> tuple[Array, Uncertainty | None]:
-    """Interpolate rows that are too few for an estimate of their noise."""
-    assert log.time is not None
-    found = _interpolated(elapsed(log.time), values)
-    step = float(np.median(np.diff(log.time)))
-    sigma = np.where(np.isnan(stated), rounding, stated) * (_GAINS / step ** np.arange(3))[:, None]
-    unknown = np.isnan(stated) & (np.ptp(values, axis=0) > 0.0)
-    if unknown.any():
-        finding = f"{len(values)} rows are too few for an estimate of their noise"
-        warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
-        # Limits are then inconclusive.
-        sigma[2] += np.where(unknown, np.abs(found[2]).max(axis=0), 0.0)
-    return found, _constant(log, sigma)
 
 
 def _constant(log: LogSamples, sigma: Array) -> Uncertainty | None:
@@ -150,25 +133,13 @@ def _gaps(time: Array) -> Indices:
     return np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1
 
 
-def _interpolated(since: Array, values: Array, at: Array | None = None) -> Array:
-    """Return values and derivatives of splines through rows, one for each part between gaps, (3, n, c).
-
-    Rows are not divided if a part has too few rows for a spline.
-    """
-    at = since if at is None else at
-    found = np.empty((3, len(at), values.shape[1]))
-    edges = [0, *_gaps(since).tolist(), len(since)]
-    edges = edges if min(np.diff(edges)) >= _FEWEST_ROWS else [0, len(since)]
-    starts = [0, *np.searchsorted(at, since[edges[1:-1]]).tolist(), len(at)]
-    for i, (first, end) in enumerate(itertools.pairwise(edges)):
-        degree, part = DEGREE if end - first > DEGREE else 3, slice(starts[i], starts[i + 1])
-        spline: Callable[..., Array] = make_interp_spline(since[first:end], values[first:end], k=degree)
-        for order in range(3):
-            found[order, part] = spline(at[part], order)
-    return found
+def _interpolated(since: Array, values: Array, at: Array) -> Array:
+    """Return values, rates, and second rates at times (s) of a spline through rows, (3, n, c)."""
+    spline: Callable[..., Array] = make_interp_spline(since, values, DEGREE if len(since) > DEGREE else 3)
+    return np.stack([spline(at, order) for order in range(3)])
 
 
-def _uncertainty(log: LogSamples, curves: SmoothCurves, used: Flags) -> Uncertainty:
+def _uncertainty(log: LogSamples, curves: list[SmoothCurve], used: Flags) -> Uncertainty:
     """Return the uncertainty of smoothed columns at every second one of the finest knots."""
     assert log.time is not None
     runs = [(max(a - 1, 0), min(b, len(used) - 1)) for a, b in zip(*flagged_spans(~used), strict=True)]
@@ -176,9 +147,11 @@ def _uncertainty(log: LogSamples, curves: SmoothCurves, used: Flags) -> Uncertai
         Replaced(float(log.time[a]), float(log.time[b]), (f"lines {log.lines[a]} to {log.lines[b]}",))
         for a, b in runs
     )
-    knots = min(curves.columns, key=lambda curve: curve.step).knots
+    knots = min(curves, key=lambda curve: curve.step).knots
     grid = np.append(knots[:-1:2], knots[-1])
-    return Uncertainty(log.time[0] + grid, curves.covariance(grid), curves.noise_std, replaced)
+    covariance = np.stack([curve.covariance(grid) for curve in curves], axis=1)
+    sigma = np.array([curve.noise_std for curve in curves])
+    return Uncertainty(log.time[0] + grid, covariance, sigma, replaced)
 
 
 def _warn_of_rows(log: LogSamples, used: Flags, fitted: FittedRows) -> None:

@@ -315,47 +315,6 @@ class Motion(Frozen):
         given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
         return cls._turned(rotation.motion_of_quaternion, turns, given)
 
-    @classmethod
-    def from_rotation_vector(
-        cls,
-        t: ArrayLike,
-        phi: ArrayLike,
-        v: ArrayLike,
-        phi_dot: ArrayLike,
-        a: ArrayLike | None = None,
-        phi_ddot: ArrayLike | None = None,
-        F_ext: ArrayLike | None = None,
-        M_ext: ArrayLike | None = None,
-    ) -> Motion:
-        """Create a motion from rotation vectors, R = exp([phi]x), and their rates.
-
-        Parameters
-        ----------
-        t : array_like, shape (..., 3)
-            Position of the reference point in the base frame (m).
-        phi : array_like, shape (..., 3)
-            Rotation vectors (rad): rotation about the direction of phi by its magnitude. phi may be zero.
-        v, phi_dot : array_like
-            Velocity of the reference point (m/s), and time derivative of phi (rad/s).
-        a, phi_ddot : array_like, optional
-            Their time derivatives; required if and only if the other one is given.
-        F_ext, M_ext : array_like, shape (..., 3), optional
-            Load, as in ``Motion``.
-
-        Returns
-        -------
-        Motion
-            Motion; without accelerations if a is not given.
-
-        Raises
-        ------
-        ValueError
-            If an argument is invalid, as in ``Motion``.
-        """
-        turns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}
-        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
-        return cls._turned(rotation.motion_of_vector, turns, given)
-
 
 at_rest = Motion.at_rest
 

@@ -8,7 +8,6 @@ import itertools
 import math
 
 import numpy as np
-from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike
 
 from ..io.arguments import shaped_array
@@ -19,15 +18,9 @@ FAR_FROM_LOCK = 0.5
 _BLOCK = 2048
 """Number of poses whose numbers fit into the second cache of a processor."""
 _ONE = np.eye(3)
-# Square of an angle for which 1 - angle cot(angle) is zero.
-_TINY = 1e-30
 _FEW = 300
 """Size below which the vector product of whole arrays takes less time than the product of components."""
 _NEXT = np.array([1, 2, 0])
-# Series by |phi|^2 of (1 - cos |phi|) / |phi|^2 and of (|phi| - sin |phi|) / |phi|^3, and their derivatives.
-_A = np.array([(-1.0) ** k / math.factorial(2 * k + 2) for k in range(11)])
-_B = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(11)])
-_SERIES = _A, _B, polynomial.polyder(_A), polynomial.polyder(_B)
 
 
 def rotation_from_rpy(theta: ArrayLike) -> Array:
@@ -163,6 +156,13 @@ def _scaled(e: ArrayLike, *rates: Array) -> list[Array]:
     return [each / largest for each in (e, *rates)]
 
 
+def quaternion_rates(e: Array, omega: Array, alpha: Array) -> tuple[Array, Array]:
+    """Return the derivatives (1/s, 1/s^2), (..., 4), of unit quaternions that rotate with omega and alpha."""
+    half, change = (np.concatenate([0.0 * e[..., :1], 0.5 * x], axis=-1) for x in (omega, alpha))
+    e_dot = quaternion_product(half, e)
+    return e_dot, quaternion_product(change, e) + quaternion_product(half, e_dot)
+
+
 def quaternion_product(one: Array, other: Array) -> Array:
     """Return the product of quaternions, (..., 4), scalar first."""
     a, u, b, v = one[..., :1], one[..., 1:], other[..., :1], other[..., 1:]
@@ -191,48 +191,6 @@ def vector_from_rotation(R: ArrayLike) -> Array:
     sine = np.linalg.norm(e[..., 1:], axis=-1, keepdims=True)
     # Without a rotation the vector is zero.
     return np.asarray(2.0 * np.arctan2(sine, e[..., :1]) / np.where(sine > 0.0, sine, 1.0) * e[..., 1:])
-
-
-def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
-    """Return the rate of phi (rad/s), (..., 3), if exp([phi]x) rotates with omega (rad/s); |phi| < 2 pi.
-
-    phi' = omega - phi x omega / 2 + c phi x (phi x omega),  c = (1 - (|phi|/2) cot(|phi|/2)) / |phi|^2.
-    """
-    phi, omega = shaped_array(phi, (3,), "phi"), shaped_array(omega, (3,), "omega")
-    square = np.maximum(np.sum(phi * phi, axis=-1, keepdims=True), _TINY)
-    half = 0.5 * np.sqrt(square)
-    c = (1.0 - half / np.tan(half)) / square
-    across = cross(phi, omega)
-    return np.asarray(omega - 0.5 * across + c * cross(phi, across))
-
-
-def vector_second_rate(phi: ArrayLike, omega: ArrayLike, alpha: ArrayLike) -> Array:
-    """Return phi'' (rad/s^2), (..., 3), if exp([phi]x) rotates with omega and alpha; |phi| < 2 pi."""
-    phi, alpha = shaped_array(phi, (3,), "phi"), shaped_array(alpha, (3,), "alpha")
-    carried = motion_of_vector(phi, vector_rate(phi, omega), np.zeros(3))[2]
-    return vector_rate(phi, alpha - carried)
-
-
-def motion_of_vector(phi: Array, phi_dot: Array, phi_ddot: Array) -> tuple[Array, Array, Array]:
-    """Return R, (..., 3, 3), omega, and alpha, (..., 3), of rotation vectors and their derivatives, (..., 3).
-
-    omega = phi' + a phi x phi' + b phi x (phi x phi'),  a = (1 - cos |phi|) / |phi|^2,
-    b = (|phi| - sin |phi|) / |phi|^3; alpha is its time derivative.
-    """
-    square = np.sum(phi * phi, axis=-1, keepdims=True)
-    # Below 1 rad the closed forms cancel; eleven terms of the series are then exact to rounding.
-    x2 = np.maximum(square, 1.0)
-    x = np.sqrt(x2)
-    a, b = (1.0 - np.cos(x)) / x2, (x - np.sin(x)) / (x * x2)
-    closed = a, b, (1.0 - b * x2 - 2.0 * a) / (2.0 * x2), (a - 3.0 * b) / (2.0 * x2)
-    series = (polynomial.polyval(np.minimum(square, 1.0), terms) for terms in _SERIES)
-    a, b, a_slope, b_slope = (np.where(square < 1.0, *pair) for pair in zip(series, closed, strict=True))
-    growth = 2.0 * np.sum(phi * phi_dot, axis=-1, keepdims=True)
-    once, second = cross(phi, phi_dot), cross(phi, phi_ddot)
-    omega = phi_dot + a * once + b * cross(phi, once)
-    alpha = phi_ddot + a * second + b * (cross(phi, second) + cross(phi_dot, once))
-    alpha += growth * (a_slope * once + b_slope * cross(phi, once))
-    return rotation_from_vector(phi), omega, alpha
 
 
 def orthonormal(R: Array) -> Array:

@@ -8,14 +8,12 @@ and the covariance increases there.
 """
 
 import functools
-import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.interpolate import BSpline
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.linalg.lapack import dtbtrs
@@ -23,10 +21,7 @@ from scipy.ndimage import maximum_filter1d, uniform_filter1d
 from scipy.optimize import minimize_scalar
 from scipy.special import gammaln
 
-from ..io.arguments import deviations, real_array, shown
-from ..io.array_types import Array
-from ..io.toml_reader import positive
-from .sample_times import elapsed
+from ..io.array_types import Array, Flags
 
 DEGREE = 5
 ORDERS = (3, 4, 7)
@@ -34,13 +29,14 @@ ORDERS = (3, 4, 7)
 
 With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times the errors, mostly at the ends.
 """
+# Largest additional cost of the lowest order, which models jumps of the acceleration, and rows that add 1.
+# Without it, errors of minimum-jerk motions with 3 decimals are 1.2 times as large.
+_EVIDENCE, _ROWS = 20.0, 50.0
 # Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sines,
 # minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.
 _BIAS = {3: 0.7, 4: 0.7, 7: 0.1}
 # A coefficient with less than this fraction of the usual number of samples is in a gap.
 _EMPTY = 0.1
-# The six B-splines that are not zero on a cell between knots, as functions of the fraction of the cell.
-_SPLINES = BSpline(np.arange(-DEGREE, DEGREE + 2.0), np.eye(DEGREE + 1), DEGREE)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Orders of the derivatives to which the components of a covariance belong."""
 # Logarithms of weights relative to the samples per cell: the smallest one, and the smallest one for which the
@@ -56,7 +52,6 @@ _TRIAL_SAMPLES, _TRIAL_BLOCKS = 8192, 64
 _CELLS_PER_PERIOD = 8.0
 # Largest number of rows for each independent error of rounding, and smallest number of such errors.
 _MOST_ROWS, _FEWEST_ERRORS = 64, 64
-_FEWEST = 8
 _BLOCK = 64
 # Parts of the largest diagonal element and of the samples per cell that keep a matrix definite in gaps.
 _ROUNDING, _RIDGE = 4e-16, 1e-11
@@ -81,7 +76,7 @@ class SmoothCurve:
 
     ``band`` contains the covariance of each coefficient with itself and the five next ones, (p, 6), and
     ``factors`` the ratio of actual to posterior standard deviations of values, rates, and second rates,
-    (3, p).
+    (3, p). ``values`` are the values at the samples, (n,).
     """
 
     start: float
@@ -90,130 +85,119 @@ class SmoothCurve:
     noise_std: float
     band: Array
     factors: Array
+    values: Array
 
     @property
     def knots(self) -> Array:
         """Times of the knots in the range of the samples (s)."""
         return np.asarray(self.start + self.step * np.arange(len(self.coefficients) - DEGREE + 1.0))
 
-    def covariance(self, time: Array) -> Array:
-        """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, 6)."""
-        offsets, size, since = np.arange(DEGREE + 1), len(self.coefficients), self.since(time)
-        cells = np.minimum((since / self.step).astype(int), size - DEGREE - 1)
+    def covariance(self, time: Array, pairs: Sequence[tuple[int, int]] = PAIRS) -> Array:
+        """Return the covariances of derivatives of orders ``pairs`` at n times, shape (n, len(pairs))."""
+        size = len(self.coefficients)
+        since = np.clip((time - self.start) / self.step, 0.0, (size - DEGREE) * (1.0 - 1e-15))
+        cells, offsets = since.astype(int), np.arange(DEGREE + 1)
         first = cells[:, None, None] + np.minimum.outer(offsets, offsets)
         C = self.band[first, np.abs(np.subtract.outer(offsets, offsets))]
-        centers = self.step * (np.arange(size) - DEGREE // 2)
+        near = BSpline(_all_knots(1.0, DEGREE + 1), np.eye(DEGREE + 1), DEGREE)
         rows = [
-            _SPLINES(since / self.step - cells, order)
+            near(since - cells, order)
             / self.step**order
-            * np.interp(since, centers, factors)[:, None]
+            * np.interp(since, np.arange(size) - DEGREE // 2, factors)[:, None]
             for order, factors in enumerate(self.factors)
         ]
-        products = [np.einsum("np,npq,nq->n", rows[i], C, rows[k], optimize=True) for i, k in PAIRS]
+        products = [np.einsum("np,npq,nq->n", rows[i], C, rows[k], optimize=True) for i, k in pairs]
         return np.stack(products, axis=-1)
 
-    def since(self, time: Array) -> Array:
-        """Return times since the first knot (s), limited to the range of the samples."""
-        end = self.step * (len(self.coefficients) - DEGREE)
-        return np.clip(time - self.start, 0.0, end * (1.0 - 1e-15))
 
-
-@dataclass(frozen=True, eq=False)
-class SmoothCurves:
-    """Columns of samples as curves over time."""
-
-    columns: tuple[SmoothCurve, ...]
-
-    @property
-    def noise_std(self) -> Array:
-        """Standard deviation of the noise of each column, shape (c,)."""
-        return np.array([curve.noise_std for curve in self.columns])
-
-    def evaluate(self, time: Array, orders: int = 3) -> Array:
-        """Return values, rates, and second rates, or fewer orders, at n times, shape (orders, n, c)."""
-        found = np.empty((orders, len(time), len(self.columns)))
-        steps = np.array([curve.step for curve in self.columns])
-        # Columns with the same knots are evaluated together, which is faster.
-        for step in np.unique(steps).tolist():
-            columns = np.flatnonzero(steps == step)
-            c = np.stack([self.columns[i].coefficients for i in columns], axis=-1)
-            spline, since = BSpline(_all_knots(step, len(c)), c, DEGREE), self.columns[columns[0]].since(time)
-            for order in range(orders):
-                found[order][:, columns] = spline(since, order)
-        return found
-
-    def covariance(self, time: Array) -> Array:
-        """Return the covariances ``PAIRS`` of value, rate, and second rate at n times, shape (n, c, 6)."""
-        return np.stack([curve.covariance(time) for curve in self.columns], axis=1)
-
-
-def smooth_columns(
-    time: Array,
-    values: Array,
-    noise_std: Array | None = None,
-    least_std: Array | float = 0.0,
-    cutoff: float | None = None,
-    smoothness: Sequence[Smoothness] | None = None,
-) -> SmoothCurves:
-    """Smooth columns of samples (n, c) at n increasing times (s) without phase shift.
+class Smoother:
+    """Columns of samples (n, c) at n increasing times (s), smoothed without phase shift.
 
     Unknown standard deviations of the noise are None or NaN; then they are estimated, and not smaller than
     ``least_std``, for example of rounding. ``cutoff`` is the frequency (Hz) at which the amplitude is halved.
-    The smoothness of each column is estimated unless it is known, for example from other rows.
     """
-    if smoothness is None:
-        smoothness = likeliest(time, values, noise_std, least_std, cutoff)
-    grids = {step: _Grid(time - time[0], step) for step in {each.step for each in smoothness}}
-    mean, variances = values.mean(axis=0), _variances(values, noise_std, least_std)
-    columns = [
-        _Column(grids[each.step], u, *known).curve(each, float(time[0]), float(start))
-        for each, u, known, start in zip(smoothness, (values - mean).T, variances, mean, strict=True)
-    ]
-    return SmoothCurves(tuple(columns))
+
+    def __init__(
+        self,
+        time: Array,
+        values: Array,
+        noise_std: Array | None = None,
+        least_std: Array | float = 0.0,
+        cutoff: float | None = None,
+    ) -> None:
+        self.time, self.since, self.cutoff = time, time - time[0], cutoff
+        self.values = np.asfortranarray(values)
+        known = np.full(values.shape[1], np.nan) if noise_std is None else np.asarray(noise_std) ** 2
+        least = np.asarray(least_std) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60
+        # Known variance of each column, or NaN, and the smallest one.
+        self.variances = np.stack(np.broadcast_arrays(known, least), axis=-1)
+        self._splines = functools.cache(functools.partial(_design_matrix, self.since))
+
+    def curves(self, smoothness: Sequence[Smoothness], used: Flags | None = None) -> list[SmoothCurve]:
+        """Return the curves of a smoothness through the used rows."""
+        rows = slice(None) if used is None or used.all() else used
+        grids = {step: _Grid(self._splines(step)[rows], step) for step in {each.step for each in smoothness}}
+        found = []
+        for (step, order, weight, count), u, variances in zip(
+            smoothness, self.values.T, self.variances, strict=True
+        ):
+            mean = float(u[rows].mean())
+            column = _Column(grids[step], u[rows] - mean, *variances)
+            c, _, squares = column.solve(order, weight)
+            variance = column.variance(order, squares)
+            band = count * variance * _inverse_band(column.grid.factor(order, weight)[0])
+            factors, values = column.factors(c, order, weight), self._splines(step) @ c + mean
+            start, noise_std = float(self.time[0]), math.sqrt(variance)
+            found.append(SmoothCurve(start, step, c + mean, noise_std, band, factors, values))
+        return found
+
+    def likeliest(self, used: Flags | None = None) -> list[Smoothness]:
+        """Estimate the smoothness of each column by the used rows."""
+        rows = slice(None) if used is None else used
+        since, values = self.since[rows], self.values[rows]
+        span = float(since[-1] - since[0])
+        if self.cutoff is not None:
+            half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * self.cutoff)
+            # Frequency responses of the B-splines and of the differences at the cut-off frequency.
+            splines, differences = (
+                (math.sin(half) / half) ** (DEGREE + 1),
+                (2.0 * math.sin(half)) ** ORDERS[-1],
+            )
+            weight = math.log(len(since) * step / span) + 2.0 * math.log(splines / differences)
+            return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
+
+        @functools.cache
+        def grid(first: int, end: int, every: int, cells: int) -> _Grid:
+            step = span * (end - first) / len(since) / cells
+            return _Grid(_design_matrix(since[first:end:every] - since[first], step), step)
+
+        found = []
+        for u, variances in zip(values.T, self.variances, strict=True):
+            every = _rows_for_each_error(u, math.sqrt(variances[1]))
+            trial = min(len(since) // every, _TRIAL_SAMPLES)
+            first = _busiest(u, trial * every)
+            end, cells = first + trial * every, _FEWEST_CELLS
+            some = u[first:end:every] - u[first:end:every].mean()
+            while (best := _Column(grid(first, end, every, cells), some, *variances).likeliest()) is None:
+                cells *= 2
+            found.append(best._replace(rows=every, log_weight=best.log_weight + math.log(every)))
+        return found
+
+    def derivatives(self, curves: Sequence[SmoothCurve]) -> Array:
+        """Return values, rates, and second rates of the curves at the samples, (3, n, c)."""
+        found = np.stack([np.stack([curve.values for curve in curves], axis=-1)] * 3)
+        # Columns with the same knots are evaluated together, which is faster.
+        for step in {curve.step for curve in curves}:
+            columns = [i for i, curve in enumerate(curves) if curve.step == step]
+            c = np.stack([curves[i].coefficients for i in columns], axis=-1)
+            spline = BSpline(_all_knots(step, len(c)), c, DEGREE)
+            inside = np.minimum(self.since, step * (len(c) - DEGREE) * (1.0 - 1e-15))
+            for order in (1, 2):
+                found[order][:, columns] = spline(inside, order)
+        return found
 
 
-def likeliest(
-    time: Array,
-    values: Array,
-    noise_std: Array | None = None,
-    least_std: Array | float = 0.0,
-    cutoff: float | None = None,
-) -> list[Smoothness]:
-    """Estimate the smoothness of each column of samples; arguments as of ``smooth_columns``."""
-    since = time - time[0]
-    if cutoff is not None:
-        half, step = math.pi / _CELLS_PER_PERIOD, 1.0 / (_CELLS_PER_PERIOD * cutoff)
-        # Frequency responses of the B-splines and of the differences at the cut-off frequency.
-        splines, differences = (math.sin(half) / half) ** (DEGREE + 1), (2.0 * math.sin(half)) ** ORDERS[-1]
-        weight = math.log(len(time) * step / float(since[-1])) + 2.0 * math.log(splines / differences)
-        return [Smoothness(step, ORDERS[-1], weight)] * values.shape[1]
-
-    @functools.cache
-    def grid(first: int, end: int, every: int, cells: int) -> _Grid:
-        some = since[first:end:every] - since[first]
-        return _Grid(some, float(since[-1]) * (end - first) / len(since) / cells)
-
-    found = []
-    for u, variances in zip(values.T, _variances(values, noise_std, least_std), strict=True):
-        every = _rows_for_each_error(u, math.sqrt(variances[1]))
-        trial = min(len(since) // every, _TRIAL_SAMPLES)
-        first = _busiest(u, trial * every)
-        end, cells = first + trial * every, _FEWEST_CELLS
-        some = u[first:end:every] - u[first:end:every].mean()
-        while (best := _Column(grid(first, end, every, cells), some, *variances).likeliest()) is None:
-            cells *= 2
-        found.append(best._replace(rows=every, log_weight=best.log_weight + math.log(every)))
-    return found
-
-
-def _variances(values: Array, noise_std: Array | None, least_std: Array | float) -> Array:
-    """Return the known variance of the noise of each column, or NaN, and the smallest one, shape (c, 2)."""
-    known = np.full(values.shape[1], np.nan) if noise_std is None else np.asarray(noise_std) ** 2
-    least = np.asarray(least_std) ** 2 + 1e-28 * np.var(values, axis=0) + 1e-60
-    return np.stack(np.broadcast_arrays(known, least), axis=-1)
-
-
-def inverse_band(factor: Array) -> Array:
+def _inverse_band(factor: Array) -> Array:
     """Return the band of the inverse of a positive definite band matrix: elements (i, i + k), (p, 6).
 
     The inverse is the covariance of a Markov chain of blocks. Each block depends on the first elements of the
@@ -244,20 +228,23 @@ def _all_knots(step: float, size: int) -> Array:
     return np.asarray(step * np.arange(-DEGREE, size + 1.0))
 
 
+def _design_matrix(since: Array, step: float) -> Any:
+    """Return the values of all B-splines at times from 0 (s), a sparse matrix (n, p)."""
+    cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
+    inside = np.minimum(since, step * cells * (1.0 - 1e-15))
+    return BSpline.design_matrix(inside, _all_knots(step, cells + DEGREE), DEGREE)
+
+
 class _Grid:
     """B-splines at the times of samples, and the penalties of their differences."""
 
-    def __init__(self, since: Array, step: float) -> None:
-        self.count, self.step = len(since), step
-        self.cells = max(1, math.ceil(float(since[-1]) / step * (1.0 - 1e-9)))
-        self.size, self.density = self.cells + DEGREE, math.log(self.count / self.cells)
-        inside = np.minimum(since, step * self.cells * (1.0 - 1e-15))
-        self.B = BSpline.design_matrix(inside, _all_knots(step, self.size), DEGREE)
-        weights, cells = self.B.data.reshape(-1, DEGREE + 1), self.B.indices[:: DEGREE + 1]
-        self.gram = np.zeros((ORDERS[-1] + 1, self.size))
-        for i, k in itertools.combinations_with_replacement(range(DEGREE + 1), 2):
-            sums = np.bincount(cells, weights[:, i] * weights[:, k], self.cells)
-            self.gram[ORDERS[-1] - (k - i), k : k + self.cells] += sums
+    def __init__(self, B: Any, step: float) -> None:
+        (self.count, self.size), self.B, self.step = B.shape, B, step
+        self.cells = self.size - DEGREE
+        self.density = math.log(self.count / self.cells)
+        product, self.gram = B.T @ B, np.zeros((ORDERS[-1] + 1, self.size))
+        for k in range(DEGREE + 1):
+            self.gram[ORDERS[-1] - k, k:] = product.diagonal(k)
         self._factors: dict[tuple[int, float], tuple[Array, float]] = {}
 
     def factor(self, order: int, log_weight: float) -> tuple[Array, float]:
@@ -266,8 +253,9 @@ class _Grid:
             return self._factors[order, log_weight]
         width, count = max(DEGREE, order), self.size - order
         difference, penalty = np.diff(np.pad([1.0], order), order), np.zeros((width + 1, self.size))
-        for i, k in itertools.combinations_with_replacement(range(order + 1), 2):
-            penalty[width - (k - i), k : k + count] += difference[i] * difference[k]
+        for i in range(order + 1):
+            for k in range(i, order + 1):
+                penalty[width - (k - i), k : k + count] += difference[i] * difference[k]
         matrix = self.gram[-width - 1 :] + math.exp(log_weight) * penalty
         matrix[-1] += _ROUNDING * matrix[-1].max() + _RIDGE * math.exp(self.density)
         factor = cholesky_banded(matrix, overwrite_ab=True, check_finite=False)
@@ -301,7 +289,7 @@ class _Column:
     def variance(self, order: int, squares: float) -> float:
         """Return the variance of the noise, known or estimated."""
         estimate = max(squares / (self.grid.count - order), self.least)
-        return estimate if math.isnan(self.known) else self.known
+        return float(estimate if math.isnan(self.known) else self.known)
 
     def cost(self, order: int, log_weight: float) -> float:
         """Return -2 times the restricted log likelihood."""
@@ -311,7 +299,9 @@ class _Column:
             return math.inf
         variance = self.variance(order, squares)
         free = self.grid.count - order
-        return self.grid.factor(order, log_weight)[1] + free * math.log(variance) + squares / variance
+        cost = min(_EVIDENCE, self.grid.count / _ROWS) if order == ORDERS[0] else 0.0
+        cost += self.grid.factor(order, log_weight)[1] + free * math.log(variance) + squares / variance
+        return float(cost)
 
     def likeliest(self) -> Smoothness | None:
         """Return the likeliest smoothness; None if it requires finer knots."""
@@ -339,16 +329,7 @@ class _Column:
         residuals = self.solve(order, log_weight)[1]
         return float(residuals[1:] @ residuals[:-1]) <= _MOST_CORRELATED * float(residuals @ residuals)
 
-    def curve(self, smoothness: Smoothness, start: float, mean: float) -> SmoothCurve:
-        """Return the curve through the samples and their mean, with its covariance."""
-        step, order, log_weight, rows = smoothness
-        c, _, squares = self.solve(order, log_weight)
-        variance = self.variance(order, squares)
-        band = rows * variance * inverse_band(self.grid.factor(order, log_weight)[0])
-        factors = self._factors(c, order, log_weight)
-        return SmoothCurve(start, step, c + mean, math.sqrt(variance), band, factors)
-
-    def _factors(self, c: Array, order: int, log_weight: float) -> Array:
+    def factors(self, c: Array, order: int, log_weight: float) -> Array:
         """Return the ratios of actual to posterior standard deviations, shape (3, p).
 
         The posterior variance is the noise that passes the filter, plus the expected bias. The bias increases
@@ -389,75 +370,3 @@ def _busiest(u: Array, trial: int) -> int:
     changes = np.concatenate([[0.0], np.cumsum(np.diff(blocks, 2) ** 2)])
     span = min(_TRIAL_BLOCKS - 2, len(changes) - 1)
     return min(size * int(np.argmax(changes[span:] - changes[: len(changes) - span])), len(u) - trial)
-
-
-class SmoothSamplesResult(NamedTuple):
-    """Smoothed columns at the times of the samples.
-
-    Attributes
-    ----------
-    values, derivatives, second_derivatives : ndarray, shape (n, c)
-        Values and derivatives of the curves.
-    noise_std : ndarray, shape (c,)
-        Standard deviation of the noise.
-    covariance_time : ndarray, shape (n,)
-        Times of the covariances.
-    covariance : ndarray, shape (n, c, 6)
-        Covariance of value, rate, and second rate: the lower triangle row by row.
-    """
-
-    values: Array
-    derivatives: Array
-    second_derivatives: Array
-    noise_std: Array
-    covariance_time: Array
-    covariance: Array
-
-
-def smooth_samples(
-    time: ArrayLike, values: ArrayLike, noise_std: ArrayLike | None = None, cutoff: float | None = None
-) -> SmoothSamplesResult:
-    """Smooth columns of samples without phase shift.
-
-    Parameters
-    ----------
-    time : array_like, shape (n,)
-        Increasing times (s), at least 8.
-    values : array_like, shape (n, c)
-        Samples.
-    noise_std : array_like, shape (c,) or (), optional
-        Standard deviation of the noise of each column; by default estimated.
-    cutoff : float, optional
-        Frequency (Hz) at which the amplitude is halved; by default the likeliest.
-
-    Returns
-    -------
-    SmoothSamplesResult
-        Smoothed columns with derivatives and covariances.
-
-    Raises
-    ------
-    ValueError
-        If an argument is invalid; the message begins with its name.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import stewart_sym as ss
-    >>> time = np.linspace(0.0, 2.0, 401)
-    >>> noisy = np.sin(time) + np.random.default_rng(1).normal(0.0, 1e-3, 401)
-    >>> smooth = ss.smooth_samples(time, noisy[:, None])
-    >>> bool(np.abs(smooth.second_derivatives[:, 0] + np.sin(time)).max() < 0.1)
-    True
-    """
-    when, columns = real_array(time, "time"), real_array(values, "values")
-    if when.ndim != 1 or len(when) < _FEWEST or not (np.diff(when) > 0.0).all():
-        raise ValueError(f"time: expected at least {_FEWEST} increasing times, s, (n,), got {shown(time)}")
-    if columns.ndim != 2 or len(columns) != len(when) or not columns.size or not np.isfinite(columns).all():
-        raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
-    known = None if noise_std is None else deviations(noise_std, "noise_std", columns.shape[1:], "> 0")
-    cutoff = None if cutoff is None else positive(cutoff, "cutoff")
-    since = elapsed(when)
-    curves = smooth_columns(since, columns, known, cutoff=cutoff)
-    smooth, rates, second_rates = curves.evaluate(since)
-    return SmoothSamplesResult(smooth, rates, second_rates, curves.noise_std, when, curves.covariance(since))

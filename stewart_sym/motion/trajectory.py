@@ -77,9 +77,9 @@ class Uncertainty:
 
     def covariances(self, time: Array) -> Array:
         """Return the covariances at n times, shape (n, 6, 6)."""
-        flat = self.covariance.reshape(len(self.grid), -1)
-        found = np.stack([np.interp(time, self.grid, column) for column in flat.T], axis=-1)
-        return found.reshape(-1, *self.covariance.shape[1:])
+        i = np.clip(np.searchsorted(self.grid, time, side="right") - 1, 0, len(self.grid) - 2)
+        share = np.clip((time - self.grid[i]) / (self.grid[i + 1] - self.grid[i]), 0.0, 1.0)[:, None, None]
+        return np.asarray(self.covariance[i] + share * (self.covariance[i + 1] - self.covariance[i]))
 
 
 LEAST_NOISE = 1e-15

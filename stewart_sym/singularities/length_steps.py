@@ -162,12 +162,13 @@ def _misfit(robot: Robot, before: State, after: State, h: Array) -> Array:
     interpolation between the samples gives both, with errors of order h^5 and h^4.
     """
     h = h[:, None]
-    turn = rotation.vector_from_rotation(after.R @ np.swapaxes(before.R, -1, -2))
+    # Twice the vector of the quaternion from one pose to the other is a rotation vector for small angles.
+    e = rotation.quaternion_from_rotation(after.R @ np.swapaxes(before.R, -1, -2))
     with np.errstate(invalid="ignore"):
-        omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
-        twist = np.hstack([after.twist[:, :3], rotation.vector_rate(turn, omega)])
-        rate = np.hstack([after.rate[:, :3], rotation.vector_second_rate(turn, omega, alpha)])
-        made = np.hstack([after.t - before.t, turn])
+        e_dot, e_ddot = rotation.quaternion_rates(e, after.twist[:, 3:], after.rate[:, 3:])
+        twist = np.hstack([after.twist[:, :3], 2.0 * e_dot[:, 1:]])
+        rate = np.hstack([after.rate[:, :3], 2.0 * e_ddot[:, 1:]])
+        made = np.hstack([after.t - before.t, 2.0 * e[:, 1:]])
         step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
         change = twist - before.twist - 0.5 * h * (before.rate + rate)
         unit = np.repeat([1.0, characteristic_length(robot)], 3)

@@ -182,8 +182,8 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     with np.errstate(over="ignore", invalid="ignore"):
         parts = [times[i : i + _CHUNK + 1] for i in range(0, len(times) - 1, _CHUNK)]
         steps = np.concatenate([step_bounds(path(part), part) for part in parts], axis=-1)
-        near = times[near_singular(robot, steps, lambda samples: path(times[samples]))]
-        return _Search(robot, path, near).crossings if len(near) else ()
+        runs = near_singular(robot, steps, lambda samples: path(times[samples]))
+        return tuple(found for run in runs for found in _Search(robot, path, times[run]).crossings)
 
 
 def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingularitiesResult:
@@ -538,31 +538,47 @@ def step_bounds(motion: Motion, time: Array) -> Array:
     """Return bounds of the translation (m) and the rotation (rad) between n samples of a path, (2, n - 1)."""
     speeds = np.linalg.norm([motion.v, motion.omega], axis=-1)
     turns = vector_from_rotation(motion.R[1:] @ np.swapaxes(motion.R[:-1], -1, -2))
-    # The distances count as well, because samples may be at rest.
+    # The distances and the accelerations count as well, because samples may be at rest.
     chords = np.linalg.norm([np.diff(motion.t, axis=0), turns], axis=-1)
-    return np.asarray(np.maximum(speeds[:, 1:], speeds[:, :-1]) * np.diff(time) + chords)
+    duration = np.diff(time)
+    if motion.a is not None and motion.alpha is not None:
+        rates = np.linalg.norm([motion.a, motion.alpha], axis=-1)
+        chords += 0.5 * np.maximum(rates[:, 1:], rates[:, :-1]) * duration**2
+    return np.asarray(np.maximum(speeds[:, 1:], speeds[:, :-1]) * duration + chords)
 
 
-def near_singular(robot: Robot, steps: Array, at: Callable[[Indices], Motion]) -> slice:
-    """Return the samples among which all singular poses of a path are.
+def near_singular(robot: Robot, steps: Array, at: Callable[[Indices], Motion]) -> list[slice]:
+    """Return the runs of samples among which all singular poses of a path are.
 
-    The smallest singular value of H changes by at most the norm of the change of H, which the path length
-    from the middle of a block of samples bounds. ``steps`` are the bounds of ``step_bounds``, and ``at``
-    returns the motion at some samples.
+    ``steps`` are the bounds of ``step_bounds``, and ``at`` returns the motion at some samples.
     """
-    count = steps.shape[1] + 1
-    starts = np.arange(0, count - 1, _BLOCK)
-    moved, turned = np.add.reduceat(steps, starts, axis=-1)
-    middles = at(np.minimum(starts + _BLOCK // 2, count - 1))
+    last = steps.shape[1] - 1
+    found = np.arange(last + 1)
+    # Most blocks of steps are far from singular poses, so that few single steps are examined.
+    for size in (_BLOCK, 1):
+        if not len(found):
+            return []
+        starts = found[::size]
+        blocks = np.minimum(starts[:, None] + np.arange(size), last)
+        middles = at(np.minimum(starts + size // 2, last + 1))
+        found = np.unique(blocks[_may_be_singular(robot, middles, *steps[:, blocks].sum(axis=-1))])
+    runs = np.split(found, np.flatnonzero(np.diff(found) > 1) + 1)
+    return [slice(int(run[0]), int(run[-1]) + 2) for run in runs if len(run)]
+
+
+def _may_be_singular(robot: Robot, motion: Motion, moved: Array, turned: Array) -> Flags:
+    """Return True for poses (n,) with a singular pose within a path (m) and a turn (rad), (n,).
+
+    The smallest singular value of H changes by at most the norm of the change of H.
+    """
     arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
-    shortest = leg_vectors(robot, middles.R, middles.t)[2].min(axis=-1)
+    shortest = leg_vectors(robot, motion.R, motion.t)[2].min(axis=-1)
     tips = moved + arm * turned
     with np.errstate(divide="ignore"):
         direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
     change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
-    H = moments_over(wrench_matrix(robot, middles), size)
-    near = np.flatnonzero(~(np.linalg.svd(H, compute_uv=False)[:, -1] > change))
-    return slice(starts[near[0]], starts[near[-1]] + _BLOCK + 1) if near.size else slice(0)
+    H = moments_over(wrench_matrix(robot, motion), size)
+    return ~np.asarray(np.linalg.svd(H, compute_uv=False)[:, -1] > change)
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

@@ -10,7 +10,7 @@ from ..motion.interpolation import interpolate
 from ..motion.trajectory import Trajectory
 from ..robot.robot import Robot
 from ..robot.units import Units
-from .path_singularities import near_singular, singularity_crossings, step_bounds
+from .path_singularities import SingularityCrossing, near_singular, singularity_crossings, step_bounds
 from .singular_poses import SingularityResult
 
 
@@ -18,9 +18,10 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     """Return a warning text about the singular poses that a log's path crosses, or None."""
     if robot.offsets is not None:
         return row_warning(robot, log)
-    part = _near_singular_part(robot, log) if len(log.time) > 1 else slice(0)
-    some = Trajectory(log.time[part], log.at(part), log.source)
-    found = singularity_crossings(robot, interpolate(some), some.time) if len(some.time) else ()
+    found: list[SingularityCrossing] = []
+    for run in _near_singular_runs(robot, log) if len(log.time) > 1 else []:
+        some = Trajectory(log.time[run], log.at(run), log.source)
+        found += singularity_crossings(robot, interpolate(some), some.time)
     if not found:
         return None
     first = found[0]
@@ -39,8 +40,8 @@ def crossing_warning(robot: Robot, log: Trajectory) -> str | None:
     )
 
 
-def _near_singular_part(robot: Robot, log: Trajectory) -> slice:
-    """Return the rows among which all singular poses of a path are."""
+def _near_singular_runs(robot: Robot, log: Trajectory) -> list[slice]:
+    """Return the runs of rows among which all singular poses of a path are."""
     if log.given_motion is not None:
         steps = step_bounds(log.given_motion, log.time)
     else:

@@ -12,6 +12,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.identification import motion_basis
+from stewart_sym.motion.spline import Smoother
 
 # Shares of the base's radius by which a payload moves, along each axis: LEAST is always named.
 MOVED, LEAST = 0.2, 0.13
@@ -50,7 +51,8 @@ def test_motion_without_period_is_identified_with_stated_or_estimated_noise() ->
     found = experiment(0)
     motion, time = found.measured_motion, found.excitation.time
     q = motion_basis.coordinates(motion, found.pose_noise)
-    std = ss.smooth_samples(time, q).noise_std.reshape(2, 3)
+    smoother = Smoother(time, q)
+    std = np.reshape([curve.noise_std for curve in smoother.curves(smoother.likeliest())], (2, 3))
     position, angle = np.sqrt(np.mean(std**2, axis=1))
     # Three standard deviations of an estimate from 3 SAMPLES values.
     assert (position, angle) == pytest.approx((NOISE, NOISE), rel=3 / np.sqrt(6 * SAMPLES))

@@ -270,7 +270,11 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "empty": ("", Form(), ": the file is empty; write a header line"),
     "no header": ("0,1,2,3\n1,2,3,4\n", Form(), ": line 1: no header line; name the columns"),
     "no rows": (HEAD + "\n", Form(), ": no rows of numbers below the header; add rows"),
-    "few rows": ("\n".join(lines().splitlines()[:4]), Form(), ": too few rows for rates, 3; add rows"),
+    "few rows": (
+        "\n".join(lines().splitlines()[:4]),
+        Form(),
+        ": 3 rows are too few for rates, which require 12; add rows",
+    ),
     "JSON": ('{"time": [0, 1], "t_x": [1, 2]}', Form(), ": expected a CSV table, got JSON; write "),
     "other cells": (HEAD + "\n1;2\n3;4\n", Form(), ": line 2: expected 7 cells as in the header; check "),
     "no numbers": (

@@ -80,8 +80,8 @@ def test_rows_are_poses_of_the_tool(robot: ss.Robot, tmp_path: Path) -> None:
 def test_a_load_beside_lengths_or_poses_acts_at_the_tool(
     robot: ss.Robot, tmp_path: Path, moments: bool
 ) -> None:
-    time = np.linspace(0.0, 1.0, 11)
-    poses, load = tool_poses(time), np.tile([100.0, -50.0, 20.0, 3.0, 4.0, 5.0], (11, 1))
+    time = np.linspace(0.0, 1.0, 21)
+    poses, load = tool_poses(time), np.tile([100.0, -50.0, 20.0, 3.0, 4.0, 5.0], (21, 1))
     load, names = (load, LOADS) if moments else (load[:, :3], LOADS[:3])
     L = ss.inverse_kinematics(robot, waving(time)).L
     made = [

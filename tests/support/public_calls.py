@@ -24,7 +24,7 @@ ForwardKinematicsResult JointReactionsResult SimulationResult StopEvent StateHis
 PoseCertificate SingularityCrossing ForceErrorBoundsResult LegExtreme PathSingularitiesResult
 SingularityResult Polytope JointAnglesResult ActuatorRequirementsResult WorkspaceResult WorkspaceWarning
 AxisTravelResult DriveEffortResult DriveIdentificationResult DriveLimitWarning ImportedModel TrajectoryWarning
-ExportedModel MotorAnglesResult ForceSaturation SmoothSamplesResult PlanCertificate PlannedPath PosePath
+ExportedModel MotorAnglesResult ForceSaturation PlanCertificate PlannedPath PosePath
 TimedPath TrackingError Trajectory Viewer PAPER_PATHS RobotWarning AssemblyModeWarning SingularPoseWarning
 results robots
 """
@@ -210,7 +210,6 @@ def calls() -> dict[str, Call]:
     add(ss.interpolate, trajectory=trajectory)
     add(ss.resample, trajectory=trajectory, rate=20.0)
     add(ss.force_std, robot=robot, trajectory=trajectory, formulation="exact", backend="numpy")
-    add(ss.smooth_samples, time=np.arange(20.0), values=rng.normal(size=(20, 2)), noise_std=0.1, cutoff=0.2)
     add(
         ss.SmoothingOptions,
         position_std=1e-4,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.kinematics.conditioning import characteristic_length
-from stewart_sym.motion.rotation import motion_of_vector, rotation_from_vector
+from stewart_sym.motion.rotation import rotation_from_vector
 
 Array = NDArray[np.float64]
 
@@ -21,9 +21,9 @@ GRID = 10_001
 
 @dataclass(frozen=True, eq=False)
 class SmoothPath:
-    """Position, m, and rotation vector, rad, side by side: a line and harmonics, over `duration`, s.
+    """Position, m, and twice the vector of a quaternion with scalar 1: a line and harmonics.
 
-    start, change: (6,). sine: (harmonics, 6); each vanishes at both ends.
+    start, change: (6,). sine: (harmonics, 6); each vanishes at both ends. duration: s.
     """
 
     start: Array
@@ -38,8 +38,12 @@ class SmoothPath:
         x = self.start + share * self.change + np.sin(angle) @ self.sine
         x_1 = (self.change + (rate * np.cos(angle)) @ self.sine) / self.duration
         x_2 = -((rate**2 * np.sin(angle)) @ self.sine) / self.duration**2
-        R, omega, alpha = motion_of_vector(x[:, 3:], x_1[:, 3:], x_2[:, 3:])
-        return ss.Motion(R=R, t=x[:, :3], omega=omega, v=x_1[:, :3], alpha=alpha, a=x_2[:, :3])
+        turns = [
+            np.insert(0.5 * part[:, 3:], 0, scalar, axis=1)
+            for part, scalar in ((x, 1.0), (x_1, 0.0), (x_2, 0.0))
+        ]
+        pairs = zip((x, x_1, x_2), turns, strict=True)
+        return ss.Motion.from_quaternion(*(each for part, turn in pairs for each in (part[:, :3], turn)))
 
 
 def random_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath]:
