@@ -1,9 +1,8 @@
 """The command ``stewart-sym`` with its subcommands.
 
-The command reads arguments, calls the library, prints results, and converts errors into one line. The exit
-codes are 0 for success, 1 for a negative result of ``derive --check``, ``identify``, ``plan``, or
-``stability``, and 2 for an error. Signal n gives 128 + n: 130 for Ctrl-C, and 141 for a closed pipe. A
-subcommand imports SymPy, SciPy, and Matplotlib only if it uses them.
+The command prints errors in one line. Exit codes are 0 for success, 1 for a negative result of ``derive
+--check``, ``identify``, ``plan``, or ``stability``, 2 for an error, and 128 + n for signal n, such as 130 for
+Ctrl-C or 141 for a closed pipe. A subcommand imports SymPy, SciPy, and Matplotlib only if it uses them.
 """
 
 import argparse
@@ -27,9 +26,6 @@ GROUPS = {
     "studies": ("reproduce", "chart", "stability", "benchmark"),
 }
 """Subcommands by group, in the order of the help."""
-
-CLOSED_PIPE = 141
-"""Exit code if the reader of standard output has ended, 128 + 13 for SIGPIPE."""
 
 SUBCOMMANDS = {
     name: (title.replace("computation", "machine"), name.replace("-", "_").replace("import", "import_model"))
@@ -64,14 +60,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         if isinstance(file, Path) and text.removeprefix(f"{file}: ").startswith("robot: "):
             text = text.removeprefix(f"{file}: ").replace("robot", str(file), 1)
             text = text.replace("this function", arguments.subcommand)
-        closed = isinstance(error, BrokenPipeError)
-        if not closed:
+        if not isinstance(error, BrokenPipeError):
             print(f"{PROGRAM}: error: {text}", file=sys.stderr)
         try:
             sys.stdout.flush()
         except OSError:
             give_up_stdout()
-        return CLOSED_PIPE if closed else 2
+        return 141 if isinstance(error, BrokenPipeError) else 2
 
 
 def subcommand_parser(name: str) -> argparse.ArgumentParser:

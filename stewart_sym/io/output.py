@@ -28,19 +28,19 @@ def write_file(path: Path, content: str | bytes | Iterable[str]) -> None:
         return
     data = (each.encode() if isinstance(each, str) else each for each in chunks)
     target = path.resolve()
-    is_device = path.exists() and not path.is_file()
-    place = path if is_device else target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
+    place = target.with_name(f".stewart-sym-{os.urandom(4).hex()}")
     try:
+        if path.exists() and not path.is_file():
+            path.write_bytes(b"".join(data))
+            return
         target.parent.mkdir(parents=True, exist_ok=True)
-        with open(place, "wb" if is_device else "xb") as stream:
+        with open(place, "xb") as stream:
             stream.writelines(data)
-        if not is_device:
-            os.replace(place, target)
+        os.replace(place, target)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
     finally:
-        if not is_device:
-            place.unlink(missing_ok=True)
+        place.unlink(missing_ok=True)
 
 
 def must_be_replaceable(path: Path, is_ours: bool, force: bool = False, inputs: Iterable[Path] = ()) -> None:

@@ -105,26 +105,6 @@ def line_of(message: str, text: str) -> int:
     return bisect.bisect_left(range(1, len(lines)), True, key=has_key) + 1
 
 
-_RENAMED = {
-    "accept": "suppress_warnings",
-    "friction": "damping",
-    "leg_defaults": "legs",
-    "stribeck": "stribeck_force",
-    "smoothing": "regularization_speed",
-    "cross": "axis_offset",
-    "along": "slide_offset_y",
-    "across": "slide_offset_z",
-    "legs": "actuation",
-    "law": "type",
-    "start": "initial_state",
-    "thresholds": "stop_conditions",
-    "price": "smoothness_weight",
-    "least": "minimize",
-    "free": "tolerance",
-}
-"""Former keys of files with their present names, except names that ``_similar`` finds."""
-
-
 def checked_table(
     value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()
 ) -> dict[str, Any]:
@@ -133,7 +113,7 @@ def checked_table(
         raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {shown(value)}")
     for key in value:
         if key not in known:
-            near = [_RENAMED[key]] if _RENAMED.get(key) in known else _similar(str(key), known)
+            near = _similar(str(key), known)
             hint = " or ".join(f'"{each}"' for each in near)
             hint = f"did you mean {hint}?" if near else f"expected one of {', '.join(known)}"
             raise ValueError(prefix + shown(key).strip("'") + f": unknown key, {hint}")

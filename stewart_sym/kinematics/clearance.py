@@ -17,6 +17,8 @@ PAIRS = tuple(itertools.combinations(range(LEGS), 2))
 """Pairs of leg indices, counted from 0, in the order of ``leg_distances``."""
 
 _ONE, _OTHER = np.array(PAIRS).T
+# Fraction of a leg at each end that is part of its joint.
+_JOINT = 0.1
 
 
 def leg_distances(robot: Robot, motion: Motion) -> Array:
@@ -81,6 +83,20 @@ def _distance(apart: Array, one: Array, other: Array, ii: Array, jj: Array) -> A
     x, y = _shares(ii, jj, ij, i, j)
     square = apart @ apart + x * (2.0 * i + x * ii) - y * (2.0 * j - y * jj + 2.0 * x * ij)
     return np.asarray(np.sqrt(np.maximum(square, 0.0)))
+
+
+def meeting_legs(robot: Robot, t: Array, share: float) -> tuple[int, int] | None:
+    """Return the legs of the level pose at t (m) whose center lines meet between their joints, or None.
+
+    ``share`` is the largest distance over the mean leg length. Near their joints legs may come as close.
+    """
+    S, apart = robot.p + t - robot.b, robot.b[_ONE] - robot.b[_OTHER]
+    x, y = nearest_shares(apart, S[_ONE], S[_OTHER])
+    distance = np.linalg.norm(apart + x[:, None] * S[_ONE] - y[:, None] * S[_OTHER], axis=-1)
+    inner = (np.minimum(x, y) > _JOINT) & (np.maximum(x, y) < 1.0 - _JOINT)
+    distance = np.where(inner, distance, np.inf)
+    found = int(np.argmin(distance))
+    return PAIRS[found] if distance[found] < share * np.mean(np.linalg.norm(S, axis=-1)) else None
 
 
 def nearest_shares(apart: Array, one: Array, other: Array) -> tuple[Array, Array]:

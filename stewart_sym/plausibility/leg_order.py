@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
-from ..kinematics.clearance import PAIRS, nearest_shares
+from ..kinematics.clearance import PAIRS, meeting_legs
 from ..kinematics.mounting_side import level_positions
 from ..robot.robot import LEGS, Robot
 from .finding import Finding, finding
@@ -15,16 +15,12 @@ from .level_poses import GOOD_CONDITION, HEIGHTS, MISPAIRED, level_conditions
 TWISTED = np.radians(75.0)
 """Smallest twist of the platform against the base (rad) of legs in a wrong order, which have 120 degrees."""
 EXCHANGED = -0.5
-"""Threshold of the scalar product of the base point difference and the platform point difference of two legs.
+"""Least scalar product of the differences of base points and platform points of two legs in sound machines.
 
-The differences are projected along the machine axis and divided by both radii. The product is negative if the
-legs cross. In sound machines it is not below this value.
+The differences are projected along the machine axis and divided by both radii.
 """
-MEETING, INNER = 0.01, 0.1
-"""Largest distance of center lines that meet, over the mean leg length, and margin at both ends of the legs.
-
-Legs of machines are thicker. Near their joints, inclined legs of sound machines may come as close.
-"""
+MEETING = 0.01
+"""Largest distance of center lines that meet, over the mean leg length; legs of machines are thicker."""
 MOST_CONDITION = 1e3
 
 
@@ -37,7 +33,7 @@ def of_order(robot: Robot, t: Array) -> Iterator[Finding]:
     axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
     axis /= np.linalg.norm(axis)
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
-    crossed = _crossed(around_b, around_p) or _meeting(robot, t)
+    crossed = _crossed(around_b, around_p) or meeting_legs(robot, t, MEETING)
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], level_positions(robot, axis, HEIGHTS)
     turned = np.sum(around_p * np.conj(around_b))
@@ -85,19 +81,6 @@ def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> tuple[int,
     sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
     products = ((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes
     return PAIRS[int(np.argmin(products))] if products.min() < EXCHANGED else None
-
-
-def _meeting(robot: Robot, t: Array) -> tuple[int, int] | None:
-    """Return the legs whose center lines meet between their joints at t (m), or None."""
-    S = robot.p + t - robot.b
-    first, second = np.array(PAIRS).T
-    apart = robot.b[first] - robot.b[second]
-    x, y = nearest_shares(apart, S[first], S[second])
-    distance = np.linalg.norm(apart + x[:, None] * S[first] - y[:, None] * S[second], axis=-1)
-    inner = (np.minimum(x, y) > INNER) & (np.maximum(x, y) < 1.0 - INNER)
-    closest = int(np.argmin(np.where(inner, distance, np.inf)))
-    limit = MEETING * np.mean(np.linalg.norm(S, axis=-1))
-    return PAIRS[closest] if inner[closest] and distance[closest] < limit else None
 
 
 def _around(points: Array, axis: Array) -> NDArray[np.complex128]:

@@ -144,7 +144,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, run: Run) -> No
     assert results(folder) == names
     text = (folder / "report.txt").read_text()
     assert told.startswith(text)
-    assert text.startswith("verdict    the path crosses a singular pose, first at 3.670504")
+    assert text.startswith("verdict    1 crossing of a singular pose\n")
     assert "Crossing 1 at 3.670504110" in text
     (crossing,) = json.loads((folder / "report.json").read_text())["crossings"]
     assert (crossing["sign_before"], crossing["sign_after"]) == (-1, 1)

@@ -61,8 +61,8 @@ def run(arguments: Arguments) -> None:
 def _asked(name: str, question: str) -> float:
     """Read a number > 0 from the terminal."""
     if not sys.stdin.isatty():
-        options = ", ".join(f"--{each.replace('_', '-')}" for each in _NUMBERS)
-        raise ValueError(f"{name}: missing; without a terminal, {options} are required")
+        options = " --".join(_NUMBERS).replace("_", "-")
+        raise ValueError(f"{name}: missing; without a terminal, use --{options}")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)
         line = sys.stdin.readline()

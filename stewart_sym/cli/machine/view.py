@@ -1,8 +1,7 @@
 """Show a machine in motion as one HTML file.
 
 MOTION is a path of the paper (I, II, III), a CSV file as for `forces`, or the folder of `simulate` or `plan`.
-The default is the home pose.
-Without -o, the file is opened in a browser.
+The default is the home pose. Without -o, the file is opened in a browser.
 Limits of legs and motors are compared as in `forces`.
 
 Example: stewart-sym view hexapod.toml trajectory.csv -o machine.html
@@ -59,8 +58,7 @@ def _viewer(robot: ss.Robot, arguments: Arguments, progress: Progress) -> ss.Vie
         return ss.view(robot, name)
     path = next((file for each in _FILES if (file := Path(name, each)).exists()), Path(name))
     if path.is_dir() or not path.exists():
-        expected = f"I, II, III, a CSV file, or a folder with {' or '.join(_FILES)}"
-        raise ValueError(f"{path}: expected {expected}")
+        raise ValueError(f"{path}: expected I, II, III, a CSV file, or the folder of simulate or plan")
     if is_run_file(path):
         progress("reading the run")
         return ss.view(robot, read_run(robot, path))

@@ -29,7 +29,6 @@ from ...kinematics.inverse_kinematics import wrench_matrix
 from ...motion.motion import Motion
 from ...precision.exact_forces import Truth, deviation
 from ...robot.robot import Robot
-from ..common import host
 from ..common.text_tables import Figures
 from ..common.timing import Task, batch, loop, measured, over
 
@@ -105,9 +104,7 @@ def cost(
         for candidate, found in cases[name].errors({each: kernels[each] for each in candidates}).items():
             errors[candidate][name] = found
     tasks = _tasks(tuple(motions.values()), kernels, ways)
-    taken_by_others = host.taken_by_others()
     times = measured(list(tasks.values()), rounds, progress)
-    taken = taken_by_others()
     entries = [
         {
             **candidate._asdict(),
@@ -120,7 +117,6 @@ def cost(
     ]
     return {
         "robot": robot.name,
-        "taken_by_others": taken,
         "motions": {name: {"poses": len(case.F), "peak_force_N": case.peak} for name, case in cases.items()},
         # Sorting keeps the order of equally cheap candidates, with the more complete model first.
         "candidates": sorted(
@@ -137,7 +133,6 @@ def cost(
         "units": {
             **dict.fromkeys(("errors", "rounding"), "share of the motion's peak force"),
             **dict.fromkeys(("operations", "ns"), "per pose"),
-            "taken_by_others": "share of the cores' time",
         },
     }
 

@@ -107,10 +107,7 @@ def figure(found: Figures) -> Figure:
     marks = dict(zip(found["motions"], itertools.cycle(_MARKERS), strict=False))
     picture = drawing.new_figure(12.4, 7.8)
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-    title, taken = f"Speed against accuracy: {as_written(found['robot'])}", found["taken_by_others"] or 0.0
-    if taken > host.DISTURBED:
-        title += f"\ntimes disturbed: other processes took {100 * taken:.0f} % of the cores' time"
-    picture.suptitle(title)
+    picture.suptitle(f"Speed against accuracy: {as_written(found['robot'])}")
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
     right.set_title("error of rounding: exact, general", fontsize="medium")
     left.set_ylabel("largest error, share of the motion's peak force")

@@ -42,11 +42,9 @@ def benchmark(
     cases = [*all_cases(poses, truth, quick, progress), *more(poses, truth)]
     progress("comparing the results")
     differences = [case.difference() for case in cases]
-    taken_by_others = host.taken_by_others()
     tasks = list(dict.fromkeys(task for case in cases for task in case.tasks))
     rounds = QUICK_ROUNDS if quick else ROUNDS
     raw = timing.measured(tasks, rounds, progress)
-    machine["taken_by_others"] = taken_by_others()
     return {
         "schema": 6,
         "unit": "ns/pose",
@@ -83,9 +81,6 @@ def report(results: Figures) -> str:
         " ".join(software["flags"]),
         "One pose: called from a loop in C.",
     ]
-    taken = machine["taken_by_others"] or 0.0
-    if taken > host.DISTURBED:
-        head.append(f"other processes took {100 * taken:.0f} % of the cores' time: the figures are disturbed")
     return "\n\n".join(["\n".join(head), *(_table(results, group) for group in TITLES)]) + "\n"
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ...design.actuator_requirements import ActuatorRequirementsResult
-from ...design.limit_margins import LimitMargins, compared, states_limits
+from ...design.limit_margins import compared, states_limits
 from ...drives.limit_status import unknown_forces
 from ...io.array_types import Array
 from ...robot.robot import LEGS, Robot
@@ -62,27 +62,23 @@ def doubts(robot: Robot, needs: ActuatorRequirementsResult, source: Path) -> lis
     """Return warnings about undetermined forces and about the limits of the robot in the file ``source``."""
     limits = compared(robot, needs)
     lines = [line for part in limits for line in part]
-    return [*_unknown(needs), *([f"{source}: {_counts(limits)}; {lines[0]}"] if lines else [])]
+    return [*_unknown(needs), *([f"{source}: {_verdict(robot, needs)}; {lines[0]}"] if lines else [])]
 
 
-def _counts(limits: LimitMargins) -> str:
-    """Format the numbers of limits that are exceeded, exceeded with the margin, and inconclusive."""
-    text = f"limits exceeded: {len(limits.exceeded)}, limits without the margin: {len(limits.margin_missing)}"
-    possible = len(limits.inconclusive) + len(limits.margin_inconclusive)
-    return f"{text}, inconclusive: {possible}" if possible else text
-
-
-def _verdict(robot: Robot, needs: ActuatorRequirementsResult, limits: LimitMargins) -> str:
+def _verdict(robot: Robot, needs: ActuatorRequirementsResult) -> str:
     """Return the result of the comparison with the limits in one line."""
+    limits = compared(robot, needs)
     if needs.crossings:
         return "no force is sufficient: a motion crosses a singular pose"
-    if any(limits):
-        return _counts(limits)
-    if _unknown(needs):
+    if not any(limits) and _unknown(needs):
         return "inconclusive: forces cannot be determined at this noise level"
-    stated = states_limits(robot)
-    margin = f"with the margin of {100.0 * needs.margin:g} %"
-    return f"no limit is exceeded, {margin}" if stated else "the robot file states no limit"
+    if not any(limits):
+        margin = f"with the margin of {100.0 * needs.margin:g} %"
+        return f"no limit is exceeded, {margin}" if states_limits(robot) else "the robot file states no limit"
+    exceeded, missing = len(limits.exceeded), len(limits.margin_missing)
+    possible = len(limits.inconclusive) + len(limits.margin_inconclusive)
+    text = f"limits exceeded: {exceeded}, limits without the margin: {missing}"
+    return f"{text}, inconclusive: {possible}" if possible else text
 
 
 def _unknown(needs: ActuatorRequirementsResult) -> list[str]:
@@ -119,7 +115,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: ActuatorRequirementsResul
     neutral = "the home pose" if robot.home_position is not None else "the mean direction of each leg"
     found = compared(robot, needs)
     lines = [
-        f"verdict {_verdict(robot, needs, found)}",
+        f"verdict {_verdict(robot, needs)}",
         f"robot   {robot.name}",
         f"motions {', '.join(sources)}: {needs.history.time_weight.sum():.6g} s",
         f"margin  {100.0 * needs.margin:g} %, added to the largest value of each row in the last column",

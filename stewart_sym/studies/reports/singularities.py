@@ -53,7 +53,6 @@ def _text(found: Examination) -> str:
         f"verdict    {_verdict(found)}",
         f"robot      {found.robot.name}",
         f"path       {found.name}, {time_text(along.start)} s to {time_text(along.end)} s",
-        f"crossings  {len(along.crossings)}",
         f"nearest    {_near(along.nearest.time, along.nearest.singularity)}",
     ]
     if found.robot.tool.any():
@@ -72,13 +71,10 @@ def _text(found: Examination) -> str:
 
 
 def _verdict(found: Examination) -> str:
-    """Return in one line whether the path has singular poses."""
-    along = found.along
-    texts = [f"singular at every time in {len(along.spans)} segments of the path"] if along.spans else []
-    if along.crossings:
-        count = "a singular pose" if len(along.crossings) == 1 else f"{len(along.crossings)} singular poses"
-        texts.append(f"the path crosses {count}, first at {along.crossings[0].time:.9f} s")
-    return "; ".join(texts) or "the path crosses no singular pose"
+    """Return the number of crossings, and whether a segment of the path is singular."""
+    count = len(found.along.crossings)
+    text = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
+    return f"{text}, and a segment of singular poses" if found.along.spans else text
 
 
 def full_report(found: Examination) -> Report:
@@ -258,7 +254,5 @@ def _path_figure(found: Examination, columns: Columns) -> Figure:
         for crossing in crossings:
             axes.axvline(crossing.time, color=RED, linewidth=0.9, linestyle=(0, (4, 2)))
     panels[2].set(xlabel="time, s", xlim=(time[0], time[-1]))
-    where = f"{len(crossings)} crossing{'' if len(crossings) == 1 else 's'} of a singular pose"
-    where += ", and a segment of singular poses" if found.along.spans else ""
-    figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
+    figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {_verdict(found)}"), fontsize=11.0)
     return figure
