@@ -3,6 +3,7 @@
 import ctypes
 import functools
 import math
+import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -234,10 +235,10 @@ def prepared_model(prepare: Any, robot: Robot, name: str, precision: str) -> NDA
     return model
 
 
-def pointers(arrays: Iterable[Array | None]) -> Any:
+def pointers(arrays: Iterable[Array | None]) -> bytes:
     """Return the addresses of arrays as a C structure of pointers."""
-    found = [array if array is None else _location(array) for array in arrays]
-    return (ctypes.c_void_p * len(found))(*found)
+    found = [0 if array is None else _location(array) for array in arrays]
+    return struct.pack(f"{len(found)}P", *found)
 
 
 def address(array: NDArray[Any] | None) -> ctypes.c_void_p:

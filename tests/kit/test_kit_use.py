@@ -249,7 +249,7 @@ def test_kits_without_fused_multiply_add_have_the_bits_of_numpy(flags: str, tmp_
     numbers = c_kernel.prepared_model(library.stewart_exact_prepare, robot, "exact", "double")
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in kernel.MOTION]
     F = np.empty((count, 6))
-    of_poses = ctypes.byref(c_kernel.pointers(arrays))
+    of_poses = c_kernel.pointers(arrays)
     address = c_kernel.address
     given = (address(numbers), ctypes.c_size_t(count), of_poses, address(F), None)
     assert library.stewart_exact_forces_batch(*given) == 0
