@@ -87,12 +87,10 @@ def with_rest(path: Callable[[Array], Motion], end: float) -> Callable[[ArrayLik
         motion = path(np.clip(when, 0.0, end))
         if np.all(when < end):
             return motion
-        moving = np.expand_dims(when < end, -1)
-        omega, v = (np.where(moving, rate, 0.0) for rate in (motion.omega, motion.v))
-        alpha, a = (
-            None if second is None else np.where(moving, second, 0.0) for second in (motion.alpha, motion.a)
-        )
-        return Motion._unchecked(motion.R, motion.t, omega, v, alpha, a, motion.F_ext, motion.M_ext)
+        moving, names = np.expand_dims(when < end, -1), ("omega", "v", "alpha", "a")
+        rates = {name: rate for name in names if (rate := getattr(motion, name)) is not None}
+        stopped = {name: np.where(moving, rate, 0.0) for name, rate in rates.items()}
+        return Motion._unchecked(**(vars(motion) | stopped))
 
     return at
 
