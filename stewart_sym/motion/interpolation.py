@@ -47,7 +47,7 @@ def interpolate(trajectory: Trajectory) -> Path:
     if motion.alpha is None or motion.a is None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
     e = rotation.quaternion_from_rotation(motion.R)
-    # Of the two quaternions of a rotation, the one near the previous quaternion is used.
+    # A rotation has two quaternions; the one near the previous quaternion is used.
     e[1:] *= np.cumprod(np.where(np.sum(e[1:] * e[:-1], axis=-1) < 0.0, -1.0, 1.0))[:, None]
     rates = zip((motion.v, motion.a), rotation.quaternion_rates(e, motion.omega, motion.alpha), strict=True)
     poses = np.stack([np.hstack(pair) for pair in ((motion.t, e), *rates)])
