@@ -15,6 +15,7 @@ from ..motion.log_reader import trajectory_of as motion_log_of
 from ..motion.log_samples import read_samples
 from ..motion.rotation import rotation_from_rpy
 from ..motion.trajectory import Trajectory
+from ..motion.trajectory_format import std_in_si
 from ..plausibility.plausibility import find_implausible
 from ..singularities.joint_space import on_platform
 from .command import LOG_FORM
@@ -71,7 +72,7 @@ def _smoothing(arguments: argparse.Namespace, form: ss.TrajectoryFormat) -> ss.S
     for name in () if arguments.smoothing else ("position_std", "angle_std", "cutoff"):
         if getattr(arguments, name) is not None:
             raise ValueError(f"--{name.replace('_', '-')} and --no-smoothing cannot be given together")
-    std = form.std_in_si(arguments.position_std, arguments.angle_std)
+    std = std_in_si(form, arguments.position_std, arguments.angle_std)
     return ss.SmoothingOptions(*std, arguments.cutoff, arguments.smoothing)
 
 

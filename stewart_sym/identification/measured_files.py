@@ -19,7 +19,7 @@ from ..motion.log_samples import FORCES, components_of, possible_units, read_sam
 from ..motion.motion import Motion
 from ..motion.rotation import cross_matrix
 from ..motion.trajectory import SmoothingOptions, Trajectory
-from ..motion.trajectory_format import PLAIN, TrajectoryFormat
+from ..motion.trajectory_format import PLAIN, TrajectoryFormat, std_in_si
 from ..robot.robot import LEGS, Robot
 from ..singularities.joint_space import on_platform
 from .motion_basis import PoseNoise
@@ -68,7 +68,7 @@ def read_measurement(
     of_forces = {name: form.columns[name] for name in leg_columns if name in form.columns}
     of_poses = {name: header for name, header in form.columns.items() if name not in of_forces}
     samples = samples_of(robot, poses, replace(form, columns=of_poses))
-    std = samples.file_format.std_in_si(*std)
+    std = std_in_si(samples.file_format, *std)
     log = log_of(robot, samples, SmoothingOptions(*std), progress)
     # Rates of the file are used unchanged unless the noise of the poses is stated.
     noisy = log.noise is not None and not {"v", "L_dot"} & set(samples.vectors)

@@ -3,7 +3,7 @@
 import contextlib
 import csv
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -49,21 +49,17 @@ class CsvTable:
 
     def numbers(self, names: Sequence[str]) -> Array:
         """Return the numbers of columns of ``header``, shape (n, len(names)), NaN for other cells."""
-        places = [self.header.index(name) for name in names]
-        return np.concatenate(
-            [self._numbers(self._rows[i : i + _BLOCK], places) for i in range(0, len(self._rows), _BLOCK)]
+        parse: Callable[..., Array] = partial(
+            np.loadtxt, delimiter=self._delimiter, comments=None, ndmin=2, quotechar='"', encoding="utf-8"
         )
-
-    def _numbers(self, rows: Sequence[str], places: list[int]) -> Array:
-        """Return columns of numbers of some rows, NaN for other cells."""
-        rows = rows if self._decimal == "." else [row.replace(self._decimal, ".") for row in rows]
-        parse = partial(
-            np.loadtxt, rows, delimiter=self._delimiter, comments=None, usecols=places, ndmin=2, quotechar='"'
-        )
-        try:
-            return np.asarray(parse())
-        except ValueError:
-            return np.asarray(parse(converters=_number_or_nan, encoding="utf-8"))
+        places, found = [self.header.index(name) for name in names], []
+        for start in range(0, len(self._rows), _BLOCK):
+            rows = [row.replace(self._decimal, ".") for row in self._rows[start : start + _BLOCK]]
+            try:
+                found.append(parse(rows, usecols=places))
+            except ValueError:
+                found.append(parse(rows, usecols=places, converters=_number_or_nan))
+        return np.concatenate(found)
 
     def cells(self, name: str) -> Iterator[str]:
         """Yield the texts of a column of ``header``."""
@@ -107,8 +103,6 @@ def read_table(
     """
     with opened(source, what) as stream:
         text = _decoded(stream.read())
-    if text.lstrip().startswith(("{", "[{", "[[")):
-        raise ValueError(f"{source}: expected a CSV table, got JSON; write a header line and rows of numbers")
     lines = text.split("\n")
     place, header, mark = _header(lines, source, None if delimiter is None else DELIMITERS[delimiter])
     names, stated = zip(*map(split_unit, header), strict=True)

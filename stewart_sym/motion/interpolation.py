@@ -47,7 +47,7 @@ def interpolate(trajectory: Trajectory) -> Path:
     if motion.alpha is None or motion.a is None:
         raise ValueError(f"{trajectory.source}: expected a motion with accelerations, got none")
     e = rotation.quaternion_from_rotation(motion.R)
-    # Of the two quaternions of a rotation, the one near the previous quaternion is used.
+    # A rotation has two quaternions; the one near the previous quaternion is used.
     e[1:] *= np.cumprod(np.where(np.sum(e[1:] * e[:-1], axis=-1) < 0.0, -1.0, 1.0))[:, None]
     rates = zip((motion.v, motion.a), rotation.quaternion_rates(e, motion.omega, motion.alpha), strict=True)
     poses = np.stack([np.hstack(pair) for pair in ((motion.t, e), *rates)])
@@ -87,12 +87,10 @@ def with_rest(path: Callable[[Array], Motion], end: float) -> Callable[[ArrayLik
         motion = path(np.clip(when, 0.0, end))
         if np.all(when < end):
             return motion
-        moving = np.expand_dims(when < end, -1)
-        omega, v = (np.where(moving, rate, 0.0) for rate in (motion.omega, motion.v))
-        alpha, a = (
-            None if second is None else np.where(moving, second, 0.0) for second in (motion.alpha, motion.a)
-        )
-        return Motion._unchecked(motion.R, motion.t, omega, v, alpha, a, motion.F_ext, motion.M_ext)
+        moving, names = np.expand_dims(when < end, -1), ("omega", "v", "alpha", "a")
+        rates = {name: rate for name in names if (rate := getattr(motion, name)) is not None}
+        stopped = {name: np.where(moving, rate, 0.0) for name, rate in rates.items()}
+        return Motion._unchecked(**(vars(motion) | stopped))
 
     return at
 

@@ -19,8 +19,8 @@ from .trajectory_format import ANGLE_UNITS, LENGTH_UNITS
 _FEWEST_PER_PERIOD, _VISIBLE = 6, 50.0
 # Numbers of rows that a spline and smoothing require.
 _FEWEST_ROWS, _FEWEST_SMOOTHED = 4, 12
-# Standard deviation of second rates of an interpolating spline for noise 1 and steps 1.
-_GAIN = 4.8
+# Standard deviations of values, rates, and second rates of an interpolating spline for noise 1 and steps 1.
+_GAINS = np.array([1.0, 1.38, 4.8])
 # Noise is negligible if its accelerations are less than this fraction of the largest one, or of gravity.
 _NEGLIGIBLE = 1e-5
 _GRAVITY = 9.81
@@ -51,13 +51,15 @@ def rates_of(
     """
     assert log.time is not None
     since = elapsed(log.time)
-    fewest = _FEWEST_SMOOTHED if options.enabled else _FEWEST_ROWS
-    if len(since) < fewest:
-        finding = f"{len(since)} rows are too few for rates, which require {fewest}"
-        raise ValueError(f"{log.source}: {finding}; add rows, or columns of all rates")
+    if len(since) < _FEWEST_ROWS:
+        raise ValueError(
+            f"{log.source}: too few rows for rates, {len(since)}; add rows, or columns of all rates"
+        )
     if not options.enabled:
         return _interpolated(since, values, since), None
     rounding, stated = steps / math.sqrt(12.0), _stated(log, options)
+    if len(since) < _FEWEST_SMOOTHED:
+        return _few_rows(log, values, stated, rounding)
     smoother = Smoother(since, values, stated, rounding, options.cutoff_frequency)
     fitted = fit_good_rows(smoother)
     curves, used = fitted.curves, ~(fitted.outliers | fitted.frozen)
@@ -66,7 +68,7 @@ def rates_of(
         _check_options(log, options, sigma, np.maximum(scatter(values, _HIGH_ORDER), rounding))
     _warn_of_rows(log, used, fitted)
     found, step = smoother.derivatives(curves), float(np.median(np.diff(since)))
-    unsmoothed = _GAIN * sigma / step**2
+    unsmoothed = _GAINS[2] * sigma / step**2
     clean = unsmoothed < _NEGLIGIBLE * np.maximum(np.abs(found[2]).max(axis=0), _GRAVITY)
     whole = not _gaps(since[used]).size
     if options.cutoff_frequency is None and clean.all() and whole:
@@ -93,6 +95,24 @@ def as_given(log: LogSamples, options: SmoothingOptions, steps: Sequence[Array])
     stated = _stated(log, options)
     sigma[0] = np.where(np.isnan(stated), sigma[0], stated)
     return _constant(log, sigma) if options.enabled else None
+
+
+def _few_rows(
+    log: LogSamples, values: Array, stated: Array, rounding: Array
+) -> tuple[Array, Uncertainty | None]:
+    """Interpolate rows that are too few for an estimate of their noise."""
+    assert log.time is not None
+    since = elapsed(log.time)
+    found = _interpolated(since, values, since)
+    step = float(np.median(np.diff(log.time)))
+    sigma = np.where(np.isnan(stated), rounding, stated) * (_GAINS / step ** np.arange(3))[:, None]
+    unknown = np.isnan(stated) & (np.ptp(values, axis=0) > 0.0)
+    if unknown.any():
+        finding = f"{len(values)} rows are too few for an estimate of their noise"
+        warn_of(log, f"{finding}; accelerations are unknown; add rows, or state position_std")
+        # Limits are then inconclusive.
+        sigma[2] += np.where(unknown, np.abs(found[2]).max(axis=0), 0.0)
+    return found, _constant(log, sigma)
 
 
 def _constant(log: LogSamples, sigma: Array) -> Uncertainty | None:

@@ -30,7 +30,7 @@ ORDERS = (3, 4, 7)
 With order 8 instead of 7, three of about 90 random logs had 1.3 to 1.6 times the errors, mostly at the ends.
 """
 # Largest additional cost of the lowest order, which models jumps of the acceleration, and rows that add 1.
-# Without it, errors of minimum-jerk motions with 3 decimals are 1.2 times as large.
+# Without it, errors of minimum-jerk motions with 3 decimals are 1.1 times as large.
 _EVIDENCE, _ROWS = 20.0, 50.0
 # Mean square of the bias relative to its expectation, by order, adjusted by hand to 48 random motions: sines,
 # minimum jerk, and trapezoids, with 3, 4, and 5 decimals or white noise.

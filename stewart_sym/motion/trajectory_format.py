@@ -94,21 +94,13 @@ class TrajectoryFormat:
         """Order of the rotations."""
         return self.euler_order or "zyx"
 
-    def std_in_si(self, position: float | None, angle: float | None) -> tuple[float | None, float | None]:
-        """Convert standard deviations from the units of the file to m and rad.
 
-        Parameters
-        ----------
-        position, angle : float or None
-            Standard deviations in the units of the file.
-
-        Returns
-        -------
-        tuple of float or None
-            Standard deviations in m and rad; None remains None.
-        """
-        meters, radians = LENGTH_UNITS[self.length_unit or "m"], ANGLE_UNITS[self.angle_unit or "rad"]
-        return position and position * meters, angle and angle * radians
+def std_in_si(
+    form: TrajectoryFormat, position: float | None, angle: float | None
+) -> tuple[float | None, float | None]:
+    """Convert standard deviations from the units of a file to m and rad; None remains None."""
+    meters, radians = LENGTH_UNITS[form.length_unit or "m"], ANGLE_UNITS[form.angle_unit or "rad"]
+    return position and position * meters, angle and angle * radians
 
 
 def combined(form: TrajectoryFormat, defaults: TrajectoryFormat) -> TrajectoryFormat:

@@ -273,9 +273,8 @@ ERRORS: dict[str, tuple[str, Form, str]] = {
     "few rows": (
         "\n".join(lines().splitlines()[:4]),
         Form(),
-        ": 3 rows are too few for rates, which require 12; add rows",
+        ": too few rows for rates, 3; add rows",
     ),
-    "JSON": ('{"time": [0, 1], "t_x": [1, 2]}', Form(), ": expected a CSV table, got JSON; write "),
     "other cells": (HEAD + "\n1;2\n3;4\n", Form(), ": line 2: expected 7 cells as in the header; check "),
     "no numbers": (
         HEAD + "\n" + "\n".join(f"{i},0,0,nan,0,0,0" for i in range(9)),
