@@ -106,7 +106,7 @@ def test_view_reads_the_folder_of_a_plan_and_names_what_it_expects(
     folder = tmp_path / "plan"
     folder.mkdir()
     line = fails("view", robot, folder, "-o", tmp_path / "page.html")
-    assert line.endswith("plan: expected I, II, III, a CSV file, or a folder with run.csv or trajectory.csv")
+    assert line.endswith("plan: expected I, II, III, a CSV file, or the folder of simulate or plan")
     trajectory.rename(folder / "trajectory.csv")
     run("view", robot, folder, "-o", tmp_path / "page.html")
     assert (tmp_path / "page.html").exists()
