@@ -21,7 +21,7 @@ from ..kinematics.inverse_kinematics import (
     ROUNDING,
     joint_sines,
     leg_vectors,
-    wrench_matrix,
+    length_rows,
     wrench_matrix_rate,
 )
 from ..motion.interpolation import Path
@@ -572,12 +572,12 @@ def _may_be_singular(robot: Robot, motion: Motion, moved: Array, turned: Array) 
     The smallest singular value of H changes by at most the norm of the change of H.
     """
     arm, size = float(np.linalg.norm(robot.p, axis=-1).max()), characteristic_length(robot) or 1.0
-    shortest = leg_vectors(robot, motion.R, motion.t)[2].min(axis=-1)
-    tips = moved + arm * turned
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    shortest, tips = L.min(axis=-1), moved + arm * turned
     with np.errstate(divide="ignore"):
         direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
     change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
-    H = moments_over(wrench_matrix(robot, motion), size)
+    H = moments_over(np.swapaxes(length_rows(q, S, L), -1, -2), size)
     return ~np.asarray(np.linalg.svd(H, compute_uv=False)[:, -1] > change)
 
 

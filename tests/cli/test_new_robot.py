@@ -91,7 +91,7 @@ def test_what_is_not_given_is_asked_for_on_a_terminal(
     )
     monkeypatch.setattr(sys, "stdin", io.StringIO())
     line = fails("new", "-o", str(path))
-    assert "base_radius: missing; without a terminal, use --base-radius --platform-radius --height" in line
+    assert "base_radius: missing; not a terminal, use --base-radius --platform-radius --height" in line
 
 
 def test_robots_are_listed_shown_and_copied(tmp_path: Path, run: Run, fails: Fails) -> None:

@@ -61,8 +61,7 @@ def run(arguments: Arguments) -> None:
 def _asked(name: str, question: str) -> float:
     """Read a number > 0 from the terminal."""
     if not sys.stdin.isatty():
-        options = " --".join(_NUMBERS).replace("_", "-")
-        raise ValueError(f"{name}: missing; without a terminal, use --{options}")
+        raise ValueError(f"{name}: missing; not a terminal, use --{' --'.join(_NUMBERS).replace('_', '-')}")
     while True:
         print(f"{question}: ", end="", file=sys.stderr, flush=True)
         line = sys.stdin.readline()
