@@ -89,7 +89,12 @@ def test_command_states_noise_and_verdict(tmp_path: Path, run: Run) -> None:
     few = ("--samples", "80", "--candidates", "2")
     simulated = tmp_path / "simulated"
     run("identify", PAPERS, *few, *STATED, "-o", simulated)
-    assert "verdict: consistent" in (simulated / "report.txt").read_text()
+    verdict = (simulated / "report.txt").read_text().splitlines()[0]
+    assert verdict.startswith("verdict: consistent")
+    assert verdict.endswith("if all legs are alike, --identical-legs determines more")
+    columns = read(simulated / "parameters.csv")
+    sure = sum(abs(float(row["estimated"])) > 3.0 * float(row["std"]) for row in columns)
+    assert f"; {sure} of 100 parameters are determined" in verdict
     with open(simulated / "trajectory.csv", newline="") as stream:
         assert next(csv.reader(stream)) == NAMES
     measured = ["--measured", *(str(simulated / name) for name in ("trajectory.csv", "forces.csv"))]

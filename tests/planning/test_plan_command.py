@@ -66,6 +66,7 @@ def test_limits_of_motors_bound_the_plan_and_their_rated_torque_is_checked(folde
     shown = run("plan", via(folder, SHORT), "-o", out, "--no-plots")
     found = json.loads((out / "report.json").read_text())
     speeds = [leg["motor_peak_speed_rad_per_s"] for leg in found["legs"]]
+    assert shown.out.startswith("certificate  valid\n")
     assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
     assert found["certificate"]["is_valid"]
     assert found["certificate"]["max_utilization"] <= 1.0 + 1e-9

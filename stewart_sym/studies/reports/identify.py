@@ -26,6 +26,8 @@ NORMAL = (0.6827, 0.9545, 0.9973)
 _FAR, _FAR_LEVEL = 4.0, 1e-3
 # Number of standard deviations from zero below which a drive term is insignificant.
 _TOLD = 2
+# Number of standard deviations from zero beyond which a parameter counts as determined.
+_SURE = 3
 # Title and number format of columns of the text table.
 _SHOWN = {
     "std": ("std", ".2g"),
@@ -48,7 +50,7 @@ def doubts(found: IdentificationResult) -> list[str]:
 def _head(
     robot: Robot, found: IdentificationResult, sigma: ArrayLike, noise: PoseNoise | None, *motion: str
 ) -> list[str]:
-    """Return lines about the parameters, the motion, the noise, and the residual with its verdict."""
+    """Return lines about the verdict, the parameters, the motion, the noise, and the residual."""
     base, sizes = found.base, np.unique([np.min(sigma), np.max(sigma)])
     poses = "poses exact" if noise is None else f"{noise.position:g} m and {noise.angle:g} rad on each pose"
     text = {
@@ -58,6 +60,7 @@ def _head(
         "untested": "untested, no more forces than unknowns",
     }[found.verdict]
     return [
+        f"verdict: {text}; {_determined(found)}",
         f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.rank_gap:.2g}"
         + ("; all legs have the same" if base.identical_legs else ""),
         *motion,
@@ -65,11 +68,23 @@ def _head(
         f"noise: {' to '.join(f'{size:.4g}' for size in sizes)} N on each force, {poses}",
         f"residual: {found.normalized_residual:.3f} of its expectation; probability of so large a one "
         f"{found.p_noise:.2g}, of so smooth a one {found.p_model:.2g}",
-        f"verdict: {text}",
         *found.warnings,
         *(f"impossible: {line}" for line in found.nonphysical),
         *found.near_zero,
     ]
+
+
+def _determined(found: IdentificationResult) -> str:
+    """State the number of parameters that differ from zero, and the remedy if many do not."""
+    count, rank = _count_determined(found), found.base.rank
+    text = f"{count} of {rank} parameters are determined, farther than {_SURE} standard deviations from zero"
+    remedy = "; if all legs are alike, --identical-legs determines more"
+    return text if found.base.identical_legs or 2 * count > rank else text + remedy
+
+
+def _count_determined(found: IdentificationResult) -> int:
+    """Count the parameters that differ from zero by more than their uncertainty."""
+    return int(np.sum(np.abs(found.values) > _SURE * found.std))
 
 
 def measured_report(
@@ -165,6 +180,7 @@ def _data(
         "robot": robot.name,
         "base_parameters": found.base.rank,
         "of_parameters": found.base.matrix.shape[1],
+        "determined_parameters": _count_determined(found),
         "rank_gap": found.base.rank_gap,
         "identical_legs": found.base.identical_legs,
         "force_noise_N": np.asarray(sigma).tolist(),

@@ -127,7 +127,7 @@ def report(plan: Plan) -> Report:
 
 
 def _summary(plan: Plan) -> str:
-    """Format duration, condition numbers, extremes, distance to singular poses, and the certificate."""
+    """Format verdict, duration, condition numbers, extremes, and distance to singular poses."""
     found, planned, units = plan.certificate, plan.planned, Units.of(plan.robot)
     over = {"leg lengths": not found.lengths_ok, "joint angles": not found.angles_ok}
     beyond = " and ".join(name for name, exceeded in over.items() if exceeded)
@@ -135,6 +135,7 @@ def _summary(plan: Plan) -> str:
     longer = planned.condition_numbers.length / planned.initial_condition_numbers.length
     shortest, longest = found.shortest.value.min(), found.longest.value.max()
     lines = [
+        f"certificate  {verdict}",
         f"duration     {plan.timed.duration:.6g} s, from rest to rest",
         f"path         {longer:.4g} times as long as the straight one",
         f"condition    scaled number of H: {_condition_text(planned.condition_numbers)}",
@@ -157,7 +158,6 @@ def _summary(plan: Plan) -> str:
         f"one is active in {100.0 * found.active_fraction:.4g} % of the time",
         f"crossings    {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
         f"smallest singular value {found.nearest.smallest:.4g}",
-        f"certificate  {verdict}",
     ]
     return "\n".join([*lines, *_moved(planned, units)])
 
