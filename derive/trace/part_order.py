@@ -32,8 +32,8 @@ def with_sums(trace: Trace, body: list[Any]) -> list[Any]:
     The mark of each leg begins with the start of its accumulator, not with the marks of the legs before.
     """
     terms: dict[str, list[str]] = {name: [] for name in trace.accumulators}
-    steps = (step for item in body for step in _steps(item))
-    marks = {step.name: step.expr for step in steps if trace.accumulators.get(step.name) == "mark"}
+    every = (step for item in body for step in _steps(item))
+    marks = {step.name: step.expr for step in every if trace.accumulators.get(step.name) == "mark"}
     last = dict.fromkeys(terms, 0)
     for at, step in ((at, step) for at, item in enumerate(body) for step in _steps(item) if step.joins):
         ((name, _),) = reads(step.expr)
