@@ -95,7 +95,7 @@ class Lanes(Schedule):
         return [*_remark(step), t.Let(name, value)]
 
     def _is_stored_last(self, part: Part, step: Step) -> bool:
-        """Return True for a result that its own part reads, and for a quotient.
+        """Return True for a result that its own part reads or selects, and for a quotient.
 
         Processors store in order, so that every store after that of a quotient would wait for it.
         """

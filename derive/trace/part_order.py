@@ -29,7 +29,8 @@ def reads(node: Any) -> Iterator[tuple[str, int | None]]:
 def with_sums(trace: Trace, body: list[Any]) -> list[Any]:
     """Compute each accumulator at once, after the parts of the legs that join it.
 
-    The mark of each leg begins with the start of its accumulator, not with the marks of the legs before.
+    An accumulator of marks is 1 if a leg has the mark 1. Here the mark of each leg begins with the start of
+    the accumulator, and not with the marks of the legs before.
     """
     terms: dict[str, list[str]] = {name: [] for name in trace.accumulators}
     every = (step for item in body for step in _steps(item))
@@ -105,7 +106,8 @@ def in_loop_order(trace: Trace, body: list[Any]) -> list[Any]:
 def merged(body: list[Any], poses_in_lanes: bool) -> list[Any]:
     """Merge parts with equal loops, so that their results stay in registers.
 
-    A part joins an earlier one if the parts between them do not depend on it, nor it on them.
+    In lanes of poses, a part joins an earlier one if the parts between them do not depend on it, nor it on
+    them. In lanes of legs, it joins only the part before it.
     """
     found: list[Any] = []
     for item in body:

@@ -23,8 +23,8 @@ Path = Callable[[Array], Motion]
 def interpolate(trajectory: Trajectory) -> Path:
     """Return a function that interpolates a trajectory between its first and its last sample.
 
-    Between two samples, position and quaternion are polynomials of degree 5 in time. Loads change
-    linearly.
+    Between two samples, position and quaternion are polynomials of degree 5 in time, and loads change
+    linearly. The rotation between two samples must be less than half a turn.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
 def _increasing(trajectory: Trajectory) -> Array:
     """Return the times of a trajectory; raise ValueError unless there are two or more that increase."""
     instance(trajectory, Trajectory, "trajectory")
-    time = trajectory.time
+    time = np.asarray(trajectory.time)
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 samples, got {len(time)}")
     if not (time[1:] > time[:-1]).all():

@@ -124,7 +124,7 @@ class PathSingularitiesResult:
     spans : tuple of tuple of float
         Time intervals (start, end) in which H is singular to rounding (s).
     nearest : SingularityApproach
-        Time with the smallest singular value of the whole path, including ends and crossings.
+        Time with the smallest singular value of the whole path, including ends, crossings, and ``spans``.
     min_joint_sine : LegExtreme
         Smallest sine of the angle between each leg and its universal axis; 1 for spherical base joints.
     min_length, max_length : LegExtreme
@@ -158,7 +158,8 @@ def singularity_crossings(robot: Robot, path: Path, time: ArrayLike) -> tuple[Si
     Returns
     -------
     tuple of SingularityCrossing
-        All sign changes of det H in order of time, accurate to rounding, including pairs between two samples.
+        All sign changes of det H in order of time, accurate to rounding, including pairs between two samples,
+        but without those across an interval in which H is singular to rounding, as at rest in one.
 
     Raises
     ------
@@ -232,6 +233,7 @@ def path_singularities(robot: Robot, path: Path, time: ArrayLike) -> PathSingula
         *ends,
         *approaches,
         *(SingularityApproach(found.time, found.singularity) for found in search.crossings),
+        *(SingularityApproach(time, search.at(time)) for time, _ in search.spans),
     ]
     joint_sine, shortest, longest = _leg_extremes(robot, path, search.times)
     return PathSingularitiesResult(
@@ -578,7 +580,8 @@ def _may_be_singular(robot: Robot, motion: Motion, moved: Array, turned: Array) 
         direction = np.where(tips < shortest, tips / np.maximum(shortest - tips, 0.0), np.inf)
     change = np.hypot(direction, arm * (turned + direction) / size) * math.sqrt(LEGS)
     H = moments_over(np.swapaxes(length_rows(q, S, L), -1, -2), size)
-    return ~np.asarray(np.linalg.svd(H, compute_uv=False)[:, -1] > change)
+    s = np.linalg.svd(H, compute_uv=False)
+    return ~np.asarray(s[:, -1] > change + ROUNDING * s[:, 0])
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

@@ -155,6 +155,40 @@ def test_a_log_of_poses_at_rest_is_warned_of_the_crossing_between_its_rows(count
     assert "crosses a singular pose" in (crossing_warning(dasgupta(), log) or "")
 
 
+@pytest.mark.parametrize("inside", [(), (1.5,)])
+def test_a_rest_in_a_singular_pose_is_found_by_both_functions(root: float, inside: tuple[float, ...]) -> None:
+    robot, time = dasgupta(), np.array([0.0, 1.0, *inside, 2.0, 3.0])
+
+    def path(times: Array) -> ss.Motion:
+        """Path III up to its singular pose, a rest of a second, and the remaining path."""
+        shares = np.stack([np.clip(times, 0.0, 1.0), np.clip(times - 2.0, 0.0, 1.0)])
+        moved, rate, second = (
+            0.2 * factor.sum(axis=0)
+            for factor in (
+                shares**3 * (10.0 - 15.0 * shares + 6.0 * shares**2),
+                30.0 * (shares * (1.0 - shares)) ** 2,
+                60.0 * shares * (1.0 - shares) * (1.0 - 2.0 * shares),
+            )
+        )
+        at = III.sample(root - 0.2 + moved)
+        on = rate[:, None]
+        return ss.Motion(
+            R=at.R,
+            t=at.t,
+            omega=at.omega * on,
+            v=at.v * on,
+            alpha=at.alpha * on**2 + at.omega * second[:, None],
+            a=at.a * on**2 + at.v * second[:, None],
+        )
+
+    found = ss.path_singularities(robot, path, time)
+    assert [each.time for each in ss.singularity_crossings(robot, path, time)] == [
+        each.time for each in found.crossings
+    ]
+    assert found.crossings or found.spans
+    assert float(found.nearest.singularity.smallest_singular_value) < 1e-12
+
+
 def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
     for seed in range(3):
         rng = np.random.default_rng(seed)
