@@ -121,10 +121,11 @@ def test_units_that_contradict_the_header_are_named_as_options(
 
 
 def test_forces_warns_of_crossings_between(robot: Path, crossing: Path, trajectory: Path, run: Run) -> None:
-    output = robot.parent / "f.csv"
-    (line,) = [
-        line for line in run("forces", robot, crossing, "-o", output).err.splitlines() if "singular" in line
-    ]
+    output, data = robot.parent / "f.csv", robot.parent / "f.json"
+    told = run("forces", robot, crossing, "-o", output, "--json", data)
+    (line,) = [line for line in told.err.splitlines() if "singular" in line]
+    assert told.out.startswith("no force is sufficient: the path crosses a singular pose\n")
+    assert any("crosses a singular pose" in each for each in json.loads(data.read_text())["warnings"])
     found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between lines 14 and 15: .* - to \+", line)
     assert found is not None, line
     assert float(found[1]) == pytest.approx(3.6705, abs=1e-3)

@@ -51,14 +51,13 @@ def run(arguments: Arguments) -> None:
         write_file(arguments.output, found.rows(progress))
         progress("looking for singular poses")
         crossed = crossing_warning(robot, trajectory)
-        if crossed is not None:
-            warn(crossed, ss.SingularPoseWarning)
-        lines = [found.summary()]
+        lines = ["no force is sufficient: the path crosses a singular pose"] if crossed else []
+        lines.append(found.summary())
         figures = {} if arguments.plot is None else {"forces": Picture(found.figure, SMALL)}
         for picture in figures.values():
             draw(picture, arguments.plot.with_suffix(""))
             lines.append(f"Drawn as {arguments.plot}")
-        doubts = found.doubts(arguments.noise_threshold)
+        doubts = [*([crossed] if crossed else []), *found.doubts(arguments.noise_threshold)]
         views = {"motion": lambda: ss.view(robot, trajectory)}
         data = {**found.as_json(), "warnings": doubts}
         take(Report("\n".join(lines), data=data, figures=figures, views=views))
